@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    // A net file, a geodesics file, a distance file or a bound file, whichever it is. The reader is strict: what
+    // A net file, a pants file or any other file that makes a claim, whichever it is. The reader is strict: what
     // docs/format.md does not allow throws.
     const certify::ClaimDocument document = certify::read_file<certify::ClaimDocument>(argv[1]);
 

@@ -46,6 +46,15 @@ class Budget {
     } while (!left_->compare_exchange_weak(left, left - work * times, std::memory_order_relaxed));
   }
 
+  /// BudgetSpent, and nothing is left, if `times` times `work` is more than is left; else takes nothing: for memory
+  /// that is given back before the next step. Not while others spend.
+  void require(std::uint64_t work, std::uint64_t times) const {
+    if (left_ && work > 0 && times > left() / work) {
+      left_->store(0, std::memory_order_relaxed);
+      throw BudgetSpent();
+    }
+  }
+
   /// What is left.
   [[nodiscard]] std::uint64_t left() const {
     return left_ ? left_->load(std::memory_order_relaxed) : std::numeric_limits<std::uint64_t>::max();

@@ -418,7 +418,8 @@ Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, un
     // nanosecond; and what is moved.
     work += (rows * rows * rows - std::uint64_t{panel.below} * panel.below * panel.below) / 18 + 4 * rows * rows;
   }
-  budget.spend(memory_work(sizeof(double)), most_kept);
+  budget.require(memory_work(sizeof(double)), most_kept);
+  budget.spend(2, most_kept);
 
   // What is set aside for rounding errors, relative to the sums: little first.
   Inertia result;

@@ -12,8 +12,8 @@
 #include "certify/program/output.h"
 #include "certify/program/signals.h"
 
-/// The program `certify`: reads net, geodesics, distance and bound files, prints for each what each rule proved and,
-/// last, one verdict line.
+/// The program `certify`: reads files of every claim, prints for each what each rule proved and, last, one verdict
+/// line.
 namespace {
 
 using namespace epsnet::certify;

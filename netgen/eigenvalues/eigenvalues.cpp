@@ -284,19 +284,20 @@ class Search {
       std::size_t first;
       std::size_t last;
       Interval in;
-      bool by_matrices;
+      std::optional<Eigenfunctions> functions;  ///< Otherwise matrices enclose.
     };
     const auto by_matrices = [&](std::size_t first, std::size_t last) {
-      return Part{first, last, {proved_least(level, first, 0), proved_greatest(level, last)}, true};
+      return Part{first, last, {proved_least(level, first, 0), proved_greatest(level, last)}, std::nullopt};
     };
-    // What matrices enclose may contain what functions enclose beside it.
+    // What matrices enclose may contain what functions enclose beside it; and functions that are not told apart are
+    // left out.
     std::vector<Part> parts;
     const auto add = [&](Part next) {
       while (!parts.empty() && next.in.lower <= parts.back().in.upper) {
         next = by_matrices(parts.back().first, next.last);
         parts.pop_back();
       }
-      parts.push_back(next);
+      parts.push_back(std::move(next));
     };
     for (std::size_t i = 0; i < groups.size(); ++i) {
       std::size_t first = groups[i].first;
@@ -305,13 +306,16 @@ class Search {
         continue;
       }
       for (Eigenfunctions& row : *rows[i]) {
-        add({first, first + row.functions.size(), row.in, false});
-        first += row.functions.size();
-        document_.eigenfunctions.push_back(std::move(row));
+        const std::size_t last = first + row.functions.size();
+        const Interval in = row.in;
+        add({first, last, in, std::move(row)});
+        first = last;
       }
     }
-    for (const Part& part : parts) {
-      if (part.by_matrices) {
+    for (Part& part : parts) {
+      if (part.functions) {
+        document_.eigenfunctions.push_back(*std::move(part.functions));
+      } else {
         at_most(level, part.in.lower, part.first);
         at_least(part.in.upper, part.last);
       }

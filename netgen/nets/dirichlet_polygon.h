@@ -12,7 +12,7 @@
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
-/// Dirichlet domains: proved as combinatorial objects, and as numbers.
+/// Dirichlet domains: exact as combinatorial objects, and as numbers.
 namespace epsnet {
 
 /// The Dirichlet domain of a base point as a combinatorial object: the dual of the Delaunay triangulation whose one
@@ -36,7 +36,7 @@ struct DirichletPolygon {
 
 /// Returns the Dirichlet domain of a base point, which may be anywhere in the disk of its tile. The default is the
 /// surface's first vertex, or the centre of a regular surface. The set of sides, their words and their partners are
-/// proved; distances and vertices are rounded. The time is that of the one-vertex Delaunay triangulation, mostly its
+/// exact; distances and vertices are rounded. The time is that of the one-vertex Delaunay triangulation, mostly its
 /// labels: milliseconds for genus 2, tenths of a second for genus 20. Throws SurfaceError if the base point is no point
 /// of the surface. Throws LimitError. Throws NetError, for example if the triangulation is not verified.
 [[nodiscard]] DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base);

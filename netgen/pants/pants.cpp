@@ -28,7 +28,8 @@ constexpr double kEpsilon = 1;
 
 PantsDecomposition with_coordinates(const Surface& surface, Pieces pieces) {
   const std::vector<CuffCoordinates> cuffs = cuff_coordinates(surface, pieces.graph, pieces.pants, pieces.across);
-  PantsDecomposition result{.graph = std::move(pieces.graph), .cuffs = {}, .pants = {}};
+  PantsDecomposition result{
+      .graph = std::move(pieces.graph), .cuffs = {}, .pants = {}, .document = {}, .certificate = {}};
   for (const auto& [paths] : pieces.pants) {
     result.pants.push_back({paths[0], paths[1], reversed(surface, concatenated(surface, paths[0], paths[1]))});
   }
@@ -63,9 +64,9 @@ PantsDecomposition proved(const Surface& surface, Pieces pieces, const PantsOpti
   certify::CheckOptions check;
   check.threads = options.threads;
   check.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
-  const certify::Certificate certificate = certify::check(result.document, check);
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw NetError("not certified: " + certify::verdict_line(certificate));
+  result.certificate = certify::check(result.document, check);
+  if (result.certificate.verdict != certify::Verdict::verified) {
+    throw NetError("not certified: " + certify::verdict_line(result.certificate));
   }
   return result;
 }

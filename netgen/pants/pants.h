@@ -10,13 +10,14 @@
 
 #include "certify/base/interval.h"
 #include "certify/claims/pants/document.h"
+#include "certify/verdict/report.h"
 #include "netgen/base/options.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 /// Pants decompositions of any surface, and its Fenchel–Nielsen coordinates, proved; Dehn twists and the flow of
-/// twists. docs/fenchel-nielsen.md says how and why, and has the conventions.
+/// twists. docs/fenchel-nielsen.md says how, and has the conventions; docs/proof.md, section 19, is the proof.
 namespace epsnet {
 
 /// A curve is none from which pants can be cut: not closed, trivial, a power of another one, not simple, or not
@@ -66,6 +67,7 @@ struct PantsDecomposition {
   bool own = false;  ///< Whether they are the pants of which fenchel_nielsen_surface made the surface.
   /// The same as a pants file, with a net of the surface.
   certify::PantsDocument document;
+  certify::Certificate certificate;  ///< Of `document`: VERIFIED.
 
   /// Returns the coordinates: the middle of each interval.
   [[nodiscard]] FenchelNielsen coordinates() const;

@@ -17,7 +17,7 @@ class DomainNotDrawn : public NetGeometryError {
 /// 0 and directions as in the vertex's chart: the Voronoi cell of one lift among all lifts of this vertex (not of the
 /// others), thesis Definition I.34.
 ///
-/// The domain is that of dirichlet_polygon, of the exact surface, so that its sides are proved; its corners are
+/// The domain is that of dirichlet_polygon, of the exact surface, so that its sides are those; its corners are
 /// rounded. A vertex that is a corner of a tile is the base point exactly, any other to within 2⁻²⁵⁰ in the coordinates
 /// of its tile, or 2⁻⁶⁰ on a side of one. Throws NetGeometryError if there is no such vertex, if the document's surface
 /// is none; DomainNotDrawn if the domain is not verified, and beyond genus 100, where it takes too long for a picture.

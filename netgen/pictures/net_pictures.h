@@ -66,7 +66,7 @@ struct Layer {
 [[nodiscard]] Layer tile_layer(const certify::NetDocument& net);
 
 /// Returns the boundary of the Dirichlet domain of a vertex: the points that are nearer to one lift of the vertex than
-/// to its other lifts. It is computed from the exact surface, and its sides are proved; see dirichlet_polygon. Also
+/// to its other lifts. It is computed from the exact surface, and has its sides; see dirichlet_polygon. Also
 /// throws NetGeometryError if the document's surface is invalid, or beyond genus 100.
 [[nodiscard]] Layer dirichlet_layer(const certify::NetDocument& net, std::uint32_t vertex);
 

@@ -42,7 +42,8 @@ void add_dirichlet_command(CLI::App& app, Job& chosen) {
   DirichletRequest& request = *shared;
   CLI::App* command = app.add_subcommand(
       "dirichlet",
-      "The Dirichlet domain of a point: its sides with their pairings as words, proved, and its vertices, rounded.");
+      "The Dirichlet domain of a point: its sides with their pairings as words, read off a verified triangulation, and "
+      "its vertices, rounded.");
   add_input(*command, "SURFACE", request.surface, kSurfaceHelp);
   command
       ->add_option("--base", request.base,

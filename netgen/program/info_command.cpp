@@ -72,7 +72,7 @@ void add_info_command(CLI::App& app, Job& chosen) {
   CLI::App* info =
       app.add_subcommand("info",
                          "Describe the contents of a file: a surface, a net, closed geodesics, a distance, a "
-                         "diameter, a Dirichlet domain, a text to import.");
+                         "diameter, eigenvalues, isometries, pants, a Dirichlet domain, a text to import.");
   add_input(*info, "FILE", shared->file, "any file that epsnet writes for itself or imports");
   add_json(*info, shared->json);
   info->footer("Example:\n  epsnet info net.json\n  epsnet info --json s.json");

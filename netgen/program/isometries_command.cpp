@@ -116,7 +116,10 @@ void list_isometries(const IsometriesRequest& request) {
     }
     out << "closed geodesics used: " << proof.document.geodesics.size() << ", of length at most "
         << proof.document.up_to << '\n';
-    if (!proved) out << "proved: each of these is an isometry; computed with 256 bits: there is no other one\n";
+    if (!proved) {
+      out << "each of these is an isometry, decided by exact numbers; that there is no other one is computed with 256 "
+             "bits\n";
+    }
     report.text = out.str();
   }
   write_outputs({{request.output, [&proof = proof](std::ostream& out) { certify::write_file(proof.document, out); }}});
@@ -152,9 +155,10 @@ void compare_surfaces(const IsometriesRequest& request) {
     out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
     write_images(out, words, *answer.isometry);
   }
-  if (answer.kind == IsometricAnswer::Kind::yes) out << "decided by exact numbers\n";
+  if (answer.kind == IsometricAnswer::Kind::yes) out << "decided by this program, with exact numbers\n";
   if (answer.kind == IsometricAnswer::Kind::no) {
-    out << (answer.spectra.empty() ? "different: proved\n" : "different: proved by two lists, both VERIFIED\n");
+    out << (answer.spectra.empty() ? "decided by this program\n"
+                                   : "decided by this program, from two lists that are VERIFIED\n");
   }
   report.text = out.str();
   std::vector<NewFile> files;
@@ -189,7 +193,7 @@ void add_isometries_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<IsometriesRequest>();
   CLI::App* command = app.add_subcommand(
       "isometries",
-      "The isometry group of a surface, proved: its order, its elements by what they do with the generators.");
+      "The isometry group of a surface: its order, proved, and its elements by what they do with the generators.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   add_file(*command, "-o,--output", shared->output,
            "the isometries file to write, for certify; \"-\" is standard output");
@@ -215,9 +219,9 @@ void add_isometric_command(CLI::App& app, Job& chosen) {
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "An isometry is decided by exact numbers. That there is none is proved by the genera, or by the numbers of "
-      "closed "
-      "geodesics up to some length.\n"
+      "An isometry is decided by exact numbers. That there is none follows from the genera, or from the numbers of "
+      "closed geodesics up to some length, in lists that are verified. The program decides alone; certify checks the "
+      "lists.\n"
       "Exit code 2: undecided, as neither is found, or the exact numbers of the two surfaces are of different "
       "kinds.\n\n"
       "Example:\n"

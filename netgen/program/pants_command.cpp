@@ -26,13 +26,15 @@ struct PantsRequest {
 };
 
 Report own_report(const PantsDecomposition& pants) {
-  Report report = pants_report(pants.document);
+  Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
+  Report contents = pants_report(pants.document);
+  report.text += contents.text;
+  report.json.update(contents.json);
   report.json["own"] = pants.own;
   Json& cuffs = report.json["cuffs"];
   for (std::size_t e = 0; e < pants.cuffs.size(); ++e) cuffs[e]["word"] = pants.cuffs[e].curve;
   report.json["pants"] = pants.pants;
   if (pants.own) report.text += "these are the pants of which the surface was made\n";
-  report.text += "proved: the surface is glued of these pants with these lengths and twists, modulo the lengths\n";
   return report;
 }
 

@@ -250,7 +250,7 @@ void make_from_matrices(const SurfaceRequest& request) {
   std::ostringstream out;
   out << "genus: " << made.surface.genus() << '\n';
   if (made.is_exact) {
-    out << "group: exactly that of the matrices\n";
+    out << "group: exactly that of the matrices, as this program decides\n";
   } else {
     out << "group: the nearest exact one; entries differ by at most " << certify::shortest(made.distance) << '\n';
   }

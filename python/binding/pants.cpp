@@ -1,26 +1,53 @@
 #include "netgen/pants/pants.h"
 
-#include "python/binding/binding.h"
-#include "python/binding/job.h"
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "netgen/base/gmp.h"
+#include "python/binding/documents.h"
+#include "python/binding/nets.h"
 
 namespace epsnet::python {
 
 void bind_pants(py::module_& module) {
-  module.def("pants", [](const Surface& surface, const std::vector<Word>& curves, bool find, unsigned threads,
-                         const py::object& callback) {
-    const PantsDecomposition pants = interruptible(
-        [=](const Progress& progress) {
-          return pants_decomposition(surface,
-                                     {.curves = curves, .own = !find, .threads = threads, .progress = progress});
-        },
-        callback);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const PantsGraph::Edge& edge : pants.graph.edges()) edges.emplace_back(edge[0].pants, edge[1].pants);
-    std::vector<std::tuple<Word, certify::Interval, certify::Interval, std::optional<Rational>, Word>> cuffs;
-    for (const PantsDecomposition::Cuff& cuff : pants.cuffs) {
-      cuffs.emplace_back(cuff.curve, cuff.length, cuff.twist, cuff.exact_root, cuff.across);
-    }
-    return std::tuple(edges, cuffs, pants.pants, pants.own);
+  using certify::PantsDocument;
+  using SharedPants = Shared<PantsDocument>;
+  py::class_<SharedPants> bound(module, "PantsDecomposition");
+  bind_document<PantsDocument>(
+      bound,
+      [](const PantsDocument& document, const certify::CheckOptions& options) {
+        return certify::check(document, options);
+      },
+      [](const PantsDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) { return certify::parse_file<PantsDocument>(text, name); });
+  bound
+      .def_static("find",
+                  [](const Surface& surface, const std::vector<Word>& curves, bool find, unsigned threads,
+                     const py::object& callback) {
+                    return interruptible(
+                        [=](const Progress& progress) {
+                          PantsDecomposition found = pants_decomposition(
+                              surface, {.curves = curves, .own = !find, .threads = threads, .progress = progress});
+                          return std::tuple(SharedPants(std::move(found.document)), std::move(found.certificate),
+                                            found.own);
+                        },
+                        callback);
+                  })
+      .def_property_readonly("net", [](const SharedPants& self) { return SharedNet(self->net); })
+      .def_property_readonly("pants", [](const SharedPants& self) { return self->pants; })
+      .def_property_readonly("cuffs", [](const SharedPants& self) {
+        std::vector<std::tuple<std::array<PantsDocument::End, 2>, certify::Interval, certify::Interval,
+                               std::optional<Rational>, PantsDocument::Word>>
+            result;
+        for (const PantsDocument::Cuff& cuff : self->cuffs) {
+          result.emplace_back(cuff.ends, cuff.length, cuff.twist,
+                              cuff.exp_half_length == 0 ? std::nullopt : std::optional(from_gmp(cuff.exp_half_length)),
+                              cuff.across);
+        }
+        return result;
+      });
+  module.def("concatenated_words", [](const Surface& surface, const Word& first, const Word& second) {
+    return concatenated(surface, first, second);
   });
   module.def("dehn_twist", [](const Surface& surface, const Word& curve, std::int32_t power) {
     return interruptible([=] { return dehn_twisted(surface, curve, power); });

@@ -1,4 +1,4 @@
-"""ε-nets of closed hyperbolic surfaces, closed geodesics, distances. Every number is a proved interval.
+"""ε-nets of closed hyperbolic surfaces, closed geodesics, distances. Numbers are intervals, which say whether they are proved.
 
 An ε-net is a finite set of points such that every point of the surface is within hyperbolic distance ε of one of them, and no two are closer
 than ε. What is computed is checked by an independent checker in ball arithmetic before you see it.
@@ -19,9 +19,9 @@ ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
 Eigenvalues     of the Laplacian: the first ones in intervals, proved, with eigenfunctions
 Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
 Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
-PantsDecomposition  Fenchel–Nielsen coordinates of any surface
+PantsDecomposition  Fenchel–Nielsen coordinates of any surface, with their proof
 IsometryGroup   the symmetries of a surface, with their proof
-Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) with proved errors
+Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) in intervals
 load, certify   files, and what the checker says of them
 map             a function of many surfaces, on all cores, as a structured array
 EpsnetError     the exceptions

@@ -1,4 +1,4 @@
-"""What nets, lists of closed geodesics, distances and bounds have in common: each is the contents of a file that the checker can prove."""
+"""What nets, lists of closed geodesics, distances and other claims have in common: each is the contents of a file that the checker can prove."""
 from __future__ import annotations
 
 import re
@@ -12,7 +12,7 @@ from ._progress import Shower
 from .certificates import Certificate, Proof, required
 from .errors import ArgumentError
 
-Core = Union["_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof"]
+Core = Union["_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof", "_epsnet.PantsDecomposition"]
 Self = TypeVar("Self", bound="Document")
 
 

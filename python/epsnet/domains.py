@@ -80,13 +80,14 @@ class DirichletSide(NamedTuple):
 
 
 class DirichletDomain:
-    """The points that are nearer to one lift of a point than to its other lifts. Sides and pairings are proved; vertices are rounded."""
+    """The points that are nearer to one lift of a point than to its other lifts. Sides and pairings are read off a verified
+    triangulation; vertices are rounded."""
 
     def __init__(self, surface: "Surface", base: Optional[BasePoint]) -> None:
         self.surface = surface
         self._base = base
         self._core = _epsnet.DirichletPolygon(surface._core, base)
-        #: The sides, counterclockwise: side k leads from vertex k to vertex k + 1. Proved: the isometries, the partners, and which there are.
+        #: The sides, counterclockwise: side k leads from vertex k to vertex k + 1. Exact: the isometries, the partners, and which there are.
         self.sides = [DirichletSide(Isometry(surface, word), partner, distance) for word, partner, distance in self._core.sides]
 
     @property

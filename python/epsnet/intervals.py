@@ -36,8 +36,9 @@ def _rounded(x: Fraction, towards: float) -> float:
 class Interval(Immutable):
     """A closed interval that contains a real number. Immutable.
 
-    ``proved`` says whether the checker has proved that it does. What epsnet computes is always proved, unless its documentation says
-    otherwise; what was loaded with ``check=False`` is not.
+    ``proved`` says whether it is proved that it does: by the checker, or, for isometries and arithmetic, by this module, which rounds exact
+    numbers outward (docs/trusted-base.md, "Who proves what"). What epsnet computes is proved, unless its documentation says otherwise; what was
+    loaded with ``check=False`` is not.
 
     >>> from epsnet import Interval
     >>> x = Interval(1, "1.5", proved=True)

@@ -162,7 +162,7 @@ Matrix = Tuple[Tuple[Any, Any], Tuple[Any, Any]]
 
 
 class Axis(NamedTuple):
-    """The ends of the axis of a hyperbolic isometry: points of the unit circle, in proved intervals."""
+    """The ends of the axis of a hyperbolic isometry: points of the unit circle, in intervals."""
 
     #: The end from which it translates.
     repelling: ComplexInterval
@@ -182,7 +182,7 @@ class Isometry:
     (4,)
     >>> (f * f.inverse()).word
     ()
-    >>> matrix = f.sl2r()             # Intervals, proved.
+    >>> matrix = f.sl2r()             # Intervals, rounded outward.
     >>> matrix[0][0].error < 1e-12
     True
 
@@ -237,13 +237,13 @@ class Isometry:
         return ((a.re + b.re, a.im - b.im), (-a.im - b.im, a.re - b.re))
 
     def enclosure(self, bits: int = 53) -> tuple[ComplexInterval, ComplexInterval]:
-        """Intervals that contain a and b for |a|² − |b|² = 1, at most |a|/2^bits wide. Proved. Their ends are exact: ``.ends``."""
+        """Intervals that contain a and b for |a|² − |b|² = 1, at most |a|/2^bits wide: exact numbers, rounded outward. Their ends are exact: ``.ends``."""
         pairs = self.surface._core.enclosed_isometry(self.word, as_index(bits, "bits", 1, 2**20))
         a, b = (ComplexInterval(*(Interval(*ends, proved=True) for ends in pair)) for pair in pairs)
         return a, b
 
     def su11(self, bits: Optional[int] = None, kind: Optional[str] = None) -> Matrix:
-        """The matrix ((a, b), (b̄, ā)) in SU(1,1), with proved errors.
+        """The matrix ((a, b), (b̄, ā)) in SU(1,1), as ``enclosure`` has it.
 
         ``kind`` is "interval" (ComplexInterval), "flint" (flint.acb) or "mpmath" (mpmath.mpc intervals). Without it, ``bits`` gives what is
         installed, in the order flint, mpmath, interval; and without both it is intervals of 53 bits.
@@ -265,7 +265,7 @@ class Isometry:
         return np.array([[entry.mid for entry in row] for row in self.sl2r()], dtype=np.float64)
 
     def trace(self, bits: int = 53) -> Interval:
-        """The trace of the matrix that ``su11`` and ``sl2r`` return, in a proved interval. The isometry determines it up to its sign.
+        """The trace of the matrix that ``su11`` and ``sl2r`` return, in an interval. The isometry determines it up to its sign.
 
         >>> import epsnet
         >>> f = epsnet.Surface.regular(2).generators()[0]
@@ -276,7 +276,7 @@ class Isometry:
 
     @property
     def translation_length(self) -> Interval:
-        """The hyperbolic length by which it translates along its axis, in a proved interval: that of the closed geodesic in its free homotopy
+        """The hyperbolic length by which it translates along its axis, in an interval: that of the closed geodesic in its free homotopy
         class. 0 for the identity.
 
         >>> import epsnet
@@ -290,7 +290,7 @@ class Isometry:
         return arcosh(2 * a.re**2 / determinant - 1)
 
     def axis(self, bits: int = 53) -> Axis:
-        """The ends of its axis on the unit circle of the tile's disk, in proved intervals of about that many bits.
+        """The ends of its axis on the unit circle of the tile's disk, in intervals of about that many bits.
 
         >>> import epsnet
         >>> f = epsnet.Surface.octagon(seed=123).generators()[0]

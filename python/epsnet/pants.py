@@ -2,52 +2,103 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Optional, Sequence
 
 from . import _epsnet
 from ._annotations import Surface
 from ._arguments import as_flag, as_fraction, as_index, as_indices, as_items, as_threads
+from ._documents import Document
 from ._progress import Progress, Shower
+from .certificates import Certificate, required
+from .errors import ArgumentError
 from .intervals import Interval
+from .nets import Net
 
 __all__ = ["Cuff", "PantsDecomposition"]
+
+_Ends = tuple[tuple[int, int], tuple[int, int]]
 
 
 class Cuff:
     """A cuff of a pants decomposition: a simple closed geodesic between two pairs of pants, an edge of the graph."""
 
-    def __init__(self, row: tuple[list[int], tuple[float, float], tuple[float, float], Optional[Fraction], list[int]]) -> None:
-        word, length, twist, exp_half_length, across = row
-        #: The sides that a loop crosses that is freely homotopic to it, with the pants of the edge's first end on the left.
-        self.word = tuple(word)
-        #: Its length, proved.
-        self.length = Interval(*length, proved=True)
-        #: The twist modulo the length, proved: the number nearest to 0. Positive to the left (docs/fenchel-nielsen.md).
-        self.twist = Interval(*twist, proved=True)
+    def __init__(
+        self, decomposition: "PantsDecomposition", number: int, ends: Sequence[Sequence[int]], length: tuple[float, float], twist: tuple[float, float],
+        exp_half_length: Optional[Fraction], across: Sequence[int]
+    ) -> None:
+        self._decomposition = decomposition
+        self._length, self._twist = length, twist
+        #: Its number in the decomposition.
+        self.number = number
+        (p, k), (q, l) = ends
+        #: What is on its two sides: (p, k), cuff k of pair of pants p, on its left, and (q, l) on its right.
+        self.ends: _Ends = ((p, k), (q, l))
         #: e^(length/2), exactly, where it is rational; else None.
         self.exp_half_length = exp_half_length
         #: The sides that a path across it crosses, from the words of the first pants to those of the second.
         self.across = tuple(across)
 
+    @property
+    def length(self) -> Interval:
+        """Its length."""
+        return Interval(*self._length, proved=self._decomposition.proved)
+
+    @property
+    def twist(self) -> Interval:
+        """The twist modulo the length: the number nearest to 0. Positive to the left (docs/fenchel-nielsen.md)."""
+        return Interval(*self._twist, proved=self._decomposition.proved)
+
+    @property
+    def word(self) -> tuple[int, ...]:
+        """The sides that a loop crosses that is freely homotopic to it, with the pants of the edge's first end on the left."""
+        p, k = self.ends[0]
+        return self._decomposition.pants[p][k]
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same cuff of equal decompositions."""
+        return isinstance(other, Cuff) and self.number == other.number and self._decomposition == other._decomposition
+
+    def __hash__(self) -> int:
+        return hash((self.number, self.across, self._length))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _cuff, (self._decomposition, self.number)
+
     def __repr__(self) -> str:
         return f"<Cuff of length {self.length}, twist {self.twist}>"
 
 
-class PantsDecomposition:
-    """Pairs of pants of which a surface is glued, with its Fenchel–Nielsen coordinates. Proved."""
+def _cuff(decomposition: "PantsDecomposition", number: int) -> Cuff:
+    """A cuff again, from its pickle."""
+    return decomposition.cuffs[number]
 
-    def __init__(self, surface: "Surface", core: tuple[Any, ...]) -> None:
-        edges, cuffs, pants, own = core
-        #: The surface.
-        self.surface = surface
-        #: The edges of the graph, of which the nodes are the pairs of pants, as ``Surface.fenchel_nielsen`` takes them.
-        self.edges: list[tuple[int, int]] = list(edges)
-        #: By edge.
-        self.cuffs: list[Cuff] = [Cuff(row) for row in cuffs]
-        #: By pair of pants the words of its three cuffs, from one tile, with the pants on their left. Their product is 1.
-        self.pants: list[tuple[tuple[int, ...], ...]] = [tuple(tuple(word) for word in words) for words in pants]
-        #: Whether they are the pants of which ``Surface.fenchel_nielsen`` made the surface.
-        self.own: bool = own
+
+class PantsDecomposition(Document):
+    """Pairs of pants of which a surface is glued, with its Fenchel–Nielsen coordinates, and what proves it: the contents of a pants file."""
+
+    _core: "_epsnet.PantsDecomposition"
+
+    def __init__(self, core: "_epsnet.PantsDecomposition", surface: Optional["Surface"], certificate: Optional[Certificate], own: Optional[bool] = None) -> None:
+        self._hold(core, surface, certificate)
+        #: By edge of the graph.
+        self.cuffs: list[Cuff] = [Cuff(self, number, *row) for number, row in enumerate(core.cuffs)]
+        #: Whether they are the pants of which ``Surface.fenchel_nielsen`` made the surface; None for what comes from a file, which does not say.
+        self.own: Optional[bool] = own
+
+    @property
+    def edges(self) -> list[tuple[int, int]]:
+        """The edges of the graph, of which the nodes are the pairs of pants, as ``Surface.fenchel_nielsen`` takes them."""
+        return [(cuff.ends[0][0], cuff.ends[1][0]) for cuff in self.cuffs]
+
+    @cached_property
+    def pants(self) -> list[tuple[tuple[int, ...], ...]]:
+        """By pair of pants the words of its three cuffs, from one tile, with the pants on their left. Their product is 1."""
+        surface = self.surface._core
+        return [
+            (tuple(first), tuple(second), tuple(_epsnet.reversed_word(surface, _epsnet.concatenated_words(surface, first, second))))
+            for first, second in self._core.pants
+        ]
 
     @property
     def lengths(self) -> list[Interval]:
@@ -59,8 +110,15 @@ class PantsDecomposition:
         """The twists, modulo the lengths."""
         return [cuff.twist for cuff in self.cuffs]
 
+    @cached_property
+    def net(self) -> Net:
+        """The net of the surface in the file."""
+        return Net(self._core.net, self._surface, None)
+
     def fenchel_nielsen(self, twists: Optional[Sequence[Any]] = None) -> "Surface":
         """The surface of these coordinates, with the middles of the intervals: isometric to the given one up to rounding. ``twists``: others.
+
+        ArgumentError for a file that does not number the cuffs of each pair of pants in the order of the edges.
 
         >>> import epsnet
         >>> pants = epsnet.Surface.octagon(5).pants()
@@ -68,12 +126,31 @@ class PantsDecomposition:
         >>> abs(again.systole().mid - pants.surface.systole().mid) < 1e-12
         True
         """
-        return type(self.surface).fenchel_nielsen(
+        self._require_order()
+        return self._surface_class.fenchel_nielsen(
             [length.mid for length in self.lengths], [twist.mid for twist in self.twists] if twists is None else twists, self.edges
         )
 
+    def _require_order(self) -> None:
+        """Marks, from which twists are measured, depend on the numbers of the cuffs; a graph has those that its edges give."""
+        count: dict[int, int] = {}
+        for cuff in self.cuffs:
+            for p, k in cuff.ends:
+                if k != count.get(p, 0):
+                    raise ArgumentError("cuffs of a pair of pants are not in the order 0, 1, 2", place=f"cuffs[{cuff.number}]")
+                count[p] = k + 1
+
+    def _more(self) -> tuple[Any, ...]:
+        return (self.own,)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, PantsDecomposition) and bool(self._core == other._core)
+
+    def __hash__(self) -> int:
+        return hash(tuple(cuff._length for cuff in self.cuffs))
+
     def __repr__(self) -> str:
-        return f"<PantsDecomposition: {len(self.pants)} pairs of pants, {len(self.cuffs)} cuffs>"
+        return f"<PantsDecomposition: {2 * len(self.cuffs) // 3} pairs of pants, {len(self.cuffs)} cuffs{'' if self.proved else ' (not proved)'}>"
 
 
 def as_word(curve: Any, name: str = "curve") -> list[int]:
@@ -85,7 +162,8 @@ def pants(surface: "Surface", curves: Optional[Sequence[Any]], find: bool, threa
     words = [] if curves is None else [as_word(curve, "curves") for curve in as_items(curves, "curves", "words")]
     find, threads = as_flag(find, "find"), as_threads(threads)
     with Shower(progress) as callback:
-        return PantsDecomposition(surface, _epsnet.pants(surface._core, words, find, threads, callback))
+        core, found, own = _epsnet.PantsDecomposition.find(surface._core, words, find, threads, callback)
+    return PantsDecomposition(core, surface, required(Certificate(found), "pants"), own)
 
 
 def as_power(power: Any) -> int:

@@ -392,7 +392,8 @@ class Surface(Immutable):
     def dirichlet_domain(self, p: Optional[PointLike] = None) -> DirichletDomain:
         """The Dirichlet domain of a point. The default is the first vertex of the tiles, or the centre of a regular surface.
 
-        Which sides there are and how they are paired is proved; its vertices are rounded.
+        Which sides there are and how they are paired is read off the dual triangulation, to which the checker says VERIFIED; its vertices are
+        rounded.
 
         >>> import epsnet
         >>> epsnet.Surface.regular(2).dirichlet_domain()
@@ -524,8 +525,8 @@ class Surface(Immutable):
         return isometries(self, threads, progress)
 
     def isometric_to(self, other: "Surface", *, threads: int = 0, progress: Progress = None) -> Optional[SurfaceIsometry]:
-        """An isometry to another surface, decided exactly; None if there is none, which is proved by the genera or by the numbers of closed
-        geodesics up to some length. UndecidedError if neither is found, or the exact numbers of the two surfaces are of different kinds.
+        """An isometry to another surface, decided exactly; None if there is none: the genera differ, or the numbers of closed geodesics up to
+        some length, in two lists that are verified. The module decides, and there is no certificate. UndecidedError if neither is found, or the exact numbers of the two surfaces are of different kinds.
 
         >>> import epsnet
         >>> bolza = epsnet.Surface.regular(2)

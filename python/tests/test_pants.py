@@ -1,7 +1,14 @@
 """Pants decompositions and Dehn twists."""
+import json
+import pathlib
+import pickle
+
 import pytest
 
-from epsnet import ArgumentError, Surface, SurfaceError
+import epsnet
+from epsnet import ArgumentError, FormatError, NotVerifiedError, PantsDecomposition, Surface, SurfaceError
+
+DATA = pathlib.Path(__file__).parents[2] / "tests/data/pants"
 
 
 def test_coordinates_are_read_back():
@@ -12,6 +19,69 @@ def test_coordinates_are_read_back():
         assert abs(cuff.length.mid - length) < 1e-12 and abs(cuff.twist.mid - twist) < 1e-12
         assert cuff.length.proved and cuff.twist.proved and cuff.exp_half_length > 1
     assert repr(pants) == "<PantsDecomposition: 2 pairs of pants, 3 cuffs>"
+
+
+def test_proof(octagon, bolza, tmp_path):
+    found = octagon.pants()
+    assert found.proved and found.certificate.verified and found.surface is octagon and found.net.surface == octagon
+    assert [rule.name for rule in found.certificate.rules][-4:] == ["pants", "glued", "lengths", "twists"]
+    path = tmp_path / "pants.json"
+    found.save(path)
+    assert epsnet.certify(path).verdict == "VERIFIED" and str(epsnet.certify(path)) == str(found.certificate)
+    loaded = epsnet.load(path)
+    assert isinstance(loaded, PantsDecomposition) and loaded.proved and loaded == found and hash(loaded) == hash(found)
+    assert repr(loaded) == repr(found) and found.own is False and loaded.own is None
+    assert loaded.surface == octagon and loaded.pants == found.pants and loaded.edges == found.edges and loaded.cuffs == found.cuffs
+    assert [str(x) for x in loaded.lengths + loaded.twists] == [str(x) for x in found.lengths + found.twists]
+    assert loaded.fenchel_nielsen() == found.fenchel_nielsen()
+    assert found != bolza.pants() and found.cuffs[0] != found.cuffs[1] and found.cuffs[0] != 0
+    assert all(curve.word == loaded.pants[p][k] for curve in loaded.cuffs for p, k in curve.ends[:1])
+    with pytest.raises(ArgumentError, match="only nets have a compact form"):
+        found.save(tmp_path / "pants.epsn")
+
+
+def test_what_is_not_checked_is_not_proved(octagon, tmp_path):
+    path = DATA / "octagon-5.json"
+    loose = epsnet.load(path, check=False)
+    assert not loose.proved and not loose.cuffs[0].length.proved and "not proved" in repr(loose) and "not proved" in repr(loose.cuffs[0])
+    assert loose.certificate.verified and loose.proved and loose.lengths[0].proved and loose.cuffs[0].twist.proved
+    found = octagon.pants()
+    again, cuff = pickle.loads(pickle.dumps((found, found.cuffs[1])))
+    assert not again.proved and again == found and again.own is False and cuff == found.cuffs[1] and cuff.word == found.cuffs[1].word
+
+
+def test_false_files(tmp_path):
+    document = json.loads((DATA / "octagon-5.json").read_text())
+    path = tmp_path / "pants.json"
+
+    def write(**changes):
+        path.write_text(json.dumps({**document, **changes}))
+
+    row = document["cuffs"][0]
+    write(cuffs=[{**row, "length": [x + 1 for x in row["length"]]}, *document["cuffs"][1:]])
+    assert epsnet.certify(path).rule == "lengths"
+    with pytest.raises(NotVerifiedError, match="lengths") as caught:
+        epsnet.load(path)
+    assert caught.value.certificate.verdict == "REFUTED"
+    for problem, changes in (("expected three for two", {"pants": document["pants"][:1]}), ("999", {"pants": [[[999], [0]], *document["pants"][1:]]})):
+        write(**changes)
+        with pytest.raises(FormatError, match=problem):
+            epsnet.load(path, check=False)
+    write(cuffs=[{**row, "ends": [[0, 0]]}, *document["cuffs"][1:]])
+    with pytest.raises(FormatError, match="ends"):
+        epsnet.load(path, check=False)
+
+
+def test_marks_need_cuffs_in_order(tmp_path):
+    # The same pants, their cuffs in another order: true, and no coordinates of a graph.
+    document = json.loads((DATA / "octagon-5.json").read_text())
+    document["cuffs"].reverse()
+    path = tmp_path / "pants.json"
+    path.write_text(json.dumps(document))
+    other = epsnet.load(path)
+    assert other.proved
+    with pytest.raises(ArgumentError, match=r"^cuffs\[0\]: cuffs of a pair of pants are not in the order 0, 1, 2$"):
+        other.fenchel_nielsen()
 
 
 def test_short_curves_and_given_ones(octagon):

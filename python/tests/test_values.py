@@ -25,7 +25,7 @@ def values(octagon, pants, bolza, net):
         net.point(3), net.locate(net.point(3)), net.distances(0), spectrum, spectrum[1], spectrum.multiplicities(), thin, thin.pieces, octagon.systole(),
         octagon.distance((0, 0.1, 0), 0), octagon.distance((0, octagon.tiles[0][0].re, octagon.tiles[0][0].im), 0), octagon.diameter("0.01"),
         octagon.radius("0.1"), octagon.embedded_disk("0.01"), octagon.eccentricity(0), domain, domain.sides, polygon, polygon.sides, f, bolza.element([0]),
-        f.axis(), f.su11(), f.a, Interval(1, "4/3", proved=True),
+        f.axis(), f.su11(), f.a, Interval(1, "4/3", proved=True), octagon.pants(), octagon.pants().cuffs[1],
     ]
 
 
@@ -54,7 +54,7 @@ def test_different_values_are_different(values, octagon):
 
 
 def test_a_pickle_of_a_document_is_not_proved(octagon, net):
-    for value in (net, octagon.spectrum(3), octagon.diameter("0.01"), octagon.systole(), octagon.distance((0, 0.1, 0), 0)):
+    for value in (net, octagon.spectrum(3), octagon.diameter("0.01"), octagon.systole(), octagon.distance((0, 0.1, 0), 0), octagon.pants()):
         assert value.proved and copy.copy(value).proved and copy.deepcopy(value).proved
         again = pickle.loads(pickle.dumps(value))
         assert not again.proved

@@ -44,8 +44,17 @@ TEST(Budget, NothingIsLeftWhenItIsExceeded) {
   EXPECT_THROW(other.spend(std::uint64_t{1} << 40, std::uint64_t{1} << 40), BudgetSpent);
 }
 
+TEST(Budget, WhatIsGivenBackHasToBeThereAndIsNotTaken) {
+  const Budget budget(100);
+  budget.require(50, 2);
+  EXPECT_EQ(budget.left(), 100U);
+  EXPECT_THROW(budget.require(50, 3), BudgetSpent);
+  EXPECT_EQ(budget.left(), 0U);
+}
+
 TEST(Budget, WithoutLimitNothingIsExceeded) {
   const Budget budget;
+  budget.require(std::uint64_t{1} << 62, std::uint64_t{1} << 62);
   budget.spend(std::uint64_t{1} << 62, std::uint64_t{1} << 62);
   EXPECT_GT(budget.left(), 0U);
 }

@@ -1228,7 +1228,7 @@ TEST(SparseMatrices, WorkIsSpentBeforeItIsDone) {
   const Inertia inertia = SparseMatrix(kSize, entries).negative_eigenvalues(Bound::upper, Budget(100'000'000), 1);
   EXPECT_TRUE(inertia.proved);
   EXPECT_EQ(inertia.negative, 0U);
-  // n³/3 operations, and 20 units for each byte of n² numbers.
+  // A third of n³/6 operations, and 20 units for each byte of n² numbers, which are given back.
   Entries full;
   for (std::uint32_t i = 0; i < 200; ++i) {
     for (std::uint32_t j = 0; j <= i; ++j) full.push_back({i, j, i == j ? 300.0 : 1.0, 0});
@@ -1236,8 +1236,11 @@ TEST(SparseMatrices, WorkIsSpentBeforeItIsDone) {
   const Budget budget(1'000'000'000);
   EXPECT_EQ(SparseMatrix(200, full).negative_eigenvalues(Bound::upper, budget, 1).negative, 0U);
   const std::uint64_t spent = 1'000'000'000 - budget.left();
-  EXPECT_GT(spent, 200U * 200 * 8 * 20 + 200U * 200 * 200 / 6);
-  EXPECT_LT(spent, 20'000'000U);
+  EXPECT_GT(spent, 200U * 200 * 200 / 18);
+  EXPECT_LT(spent, 5'000'000U);
+  constexpr std::uint64_t kMemory = std::uint64_t{200} * 200 * 8 * 20;
+  EXPECT_THROW((void)SparseMatrix(200, full).negative_eigenvalues(Bound::upper, Budget(kMemory), 1), BudgetSpent);
+  EXPECT_TRUE(SparseMatrix(200, full).negative_eigenvalues(Bound::upper, Budget(kMemory + spent), 1).proved);
 }
 
 // Limits.

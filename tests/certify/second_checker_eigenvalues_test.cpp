@@ -1760,7 +1760,9 @@ TEST(SecondCheckersRadialFactors, AreEnclosed) {
           const Interval wanted = radial_factor(lambda, m, s);
           EXPECT_TRUE(is_less(factor, wanted) == Answer::unknown && is_less(wanted, factor) == Answer::unknown)
               << lambda << ' ' << order << ' ' << s << ' ' << m << ": " << middle(factor) << ", " << middle(wanted);
-          if (s < 0.2 && lambda < 100) EXPECT_LT((factor - wanted).upper(), 1e-35);
+          if (s < 0.2 && lambda < 100) {
+            EXPECT_LT((factor - wanted).upper(), 1e-35);
+          }
         }
       }
     }

@@ -58,10 +58,14 @@ verified corner-radius.json
 good isometric s.json net.json
 grep -q '^isometric: yes$' output || complain "a surface is isometric to itself: $(cat output)"
 good pants s.json -o pants.json --json --threads 1
-grep -q '"graph":"0-1 [01]-[01] [01]-[01]","own":false,"cuffs":\[{"ends":\[\[0,0\],\[1,0\]\],"length":\[0.5476' output || complain "the pants of an octagon: $(cat output)"
+grep -q '"verdict":"VERIFIED","genus":2,"graph":"0-1 [01]-[01] [01]-[01]","cuffs":\[{"ends":\[\[0,0\],\[1,0\]\],"length":\[0.5476' output || complain "the pants of an octagon: $(cat output)"
+verified pants.json
+good info pants.json
+grep -q '^file: a pants decomposition (not verified here: run certify)$' output || complain "what is in a pants file: $(cat output)"
 good surface fenchel-nielsen --from pants.json -o from-pants.json
 good pants from-pants.json -o pants-again.json
-grep -q '^pants: 2, cuffs: 3, those of which the surface was made$' output || complain "pants of pants: $(cat output)"
+grep -q '^verdict: VERIFIED$' output || complain "the pants of pants are proved: $(cat output)"
+grep -q '^these are the pants of which the surface was made$' output || complain "pants of pants: $(cat output)"
 grep -q '^  exp(length/2) = [0-9]*/[0-9]*, exactly$' output || complain "an exact length: $(cat output)"
 good pants from-pants.json --find
 grep -q '^pants: 2, cuffs: 3$' output || complain "pants found: $(cat output)"
@@ -92,7 +96,7 @@ bad 64 'excludes' pants from-pants.json --curves curves.txt --find
 good surface regular --genus 2 -o bolza.json
 good isometric s.json bolza.json
 grep -q '^isometric: no$' output || complain "an octagon is not the regular one: $(cat output)"
-says '^different: proved by two lists, both VERIFIED$'
+says '^decided by this program, from two lists that are VERIFIED$'
 good isometric s.json bolza.json --first-spectrum first.json --second-spectrum second.json
 verified first.json
 verified second.json

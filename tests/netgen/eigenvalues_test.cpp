@@ -546,6 +546,15 @@ TEST(Eigenvalues, AreCountedOnTheNetThatIsAskedFor) {
   expect_true(document, octagon(), 0.01);
 }
 
+/// Where the intervals of functions of different eigenvalues are not disjoint, matrices enclose these together.
+TEST(Eigenvalues, FunctionsThatAreNotToldApartAreLeftOut) {
+  const EigenvaluesDocument document =
+      eigenvalues(random_octagon(3), {.count = 4, .digits = 6, .epsilon = Length("1")});
+  EXPECT_EQ(certify::check(document).verdict, certify::Verdict::verified);
+  EXPECT_EQ(count_of(document), 4U);
+  EXPECT_EQ(document.eigenfunctions.size(), 2U);
+}
+
 /// One vertex; triangles that are halved until they are small enough.
 TEST(SlowEigenvalues, OfLargeTrianglesAreVerified) {
   for (const char* epsilon : {"1.5", "3"}) {

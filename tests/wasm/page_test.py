@@ -167,6 +167,10 @@ def files(page: Page, data: pathlib.Path) -> None:
     page.drop("spectrum.json", (data / "geodesics/octagon-5-to-6.json").read_bytes())
     page.expect(page.text("verdict") == "VERIFIED" and page.run("return document.getElementById('geodesics').options.length > 0"),
                 f"a file of geodesics is {page.text('verdict')}, and not drawn: {page.text('problem')}")
+    page.drop("pants.json", (data / "pants/octagon-5.json").read_bytes())
+    said = page.verdicts()
+    page.expect(page.text("verdict") == "VERIFIED" and said.get("certify", "") == said.get("certify-exact", "") == "VERIFIED",
+                f"a pants file is {page.text('verdict')}: {said} {page.text('problem')}")
 
 
 def bad_input(page: Page) -> None:

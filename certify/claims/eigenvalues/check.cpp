@@ -234,7 +234,8 @@ class EigenvaluesCheck {
   /// 𝒜 − σ𝒩 for values with these numbers, eliminated in this order.
   [[nodiscard]] SparseMatrix matrix(const std::vector<TriangleForms>& forms, const Numbers& numbers,
                                     const EigenvaluesDocument::Order& order, double sigma) const {
-    budget_.spend(memory_work(100) + 500, forms.size());
+    budget_.require(memory_work(100), forms.size());
+    budget_.spend(500, forms.size());
     std::vector<std::uint32_t> place(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
     std::vector<MatrixEntry> entries;
