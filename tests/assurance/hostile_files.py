@@ -836,6 +836,96 @@ def isometries_of_powers():
     return result
 
 
+def pants_file(name="octagon-5"):
+    with open(os.path.join(data, "pants", name + ".json")) as file:
+        return json.load(file)
+
+
+def pants_of(net, paths, count):
+    """As many pairs of pants with the same paths α and α⁻¹; cuff 2, which is null-homotopic, is glued to that of the next."""
+    cuff = {"across": [], "length": [1, 2], "twist": [0, 1], "exp_half_length": "0"}
+    ends = [[[p, 0], [p, 1]] for p in range(count)] + [[[p, 2], [p + 1, 2]] for p in range(0, count, 2)]
+    return {"format": "epsnet-pants", "version": 1, "net": net, "pants": [paths] * count,
+            "cuffs": [{"ends": row, **cuff} for row in ends]}
+
+
+@kind
+def pants_of_a_random_path():
+    result = pants_file()
+    result["pants"][0][0] = reduced_word(8, 300_000)
+    return result
+
+
+@kind
+def pants_of_a_path_that_cancels():
+    result = pants_file()
+    result["pants"][0][0] = [3, 7] * 150_000 + result["pants"][0][0]
+    return result
+
+
+@kind
+def pants_of_a_path_that_cancels_to_nothing():
+    """Not letter by letter: forwards and backwards."""
+    result = pants_file()
+    word = reduced_word(8, 150_000)
+    result["pants"][0][0] = word + [(side + 4) % 8 for side in reversed(word)]
+    return result
+
+
+@kind
+def pants_around_a_cuff():
+    result = pants_file()
+    row = result["cuffs"][0]
+    row["across"] = result["pants"][0][0] * 100_000
+    return result
+
+
+@kind
+def pants_around_a_cuff_of_1e_12():
+    result = pants_file("cuff-1e-12")
+    row = result["cuffs"][0]
+    row["across"] = result["pants"][0][0] * 100_000 + row["across"]
+    return result
+
+
+@kind
+def pants_many():
+    return pants_of(pants_file()["net"], [[0], [4]], 6_000)
+
+
+@kind
+def pants_of_genus_100():
+    """The paths of 198 pairs of pants are words of hundreds of letters, that of each cuff and back is null-homotopic."""
+    word = reduced_word(400, 450)
+    return pants_of(regular_net(100), [word, [(side + 200) % 400 for side in reversed(word)]], 198)
+
+
+@kind
+def pants_of_an_exact_length_of_400000_digits():
+    result = pants_file("fenchel-nielsen-2")
+    result["cuffs"][0]["exp_half_length"] = f"{digits(400_000)}/{digits(399_999, 2)}"
+    return result
+
+
+@kind
+def pants_in_a_tile_of_long_coordinates():
+    result = pants_file()
+    tile = result["net"]["surface"]["tiles"][0]
+    half = [[near(Fraction(z), 50_000, 16 * k + i) for i, z in enumerate(vertex)] for k, vertex in enumerate(tile[:4])]
+    result["net"]["surface"]["tiles"] = [half + [["-" + z if z[0] != "-" else z[1:] for z in v] for v in half]]
+    return result
+
+
+@kind
+def pants_nested_deeply():
+    result = pants_file()
+    word = []
+    for _ in range(900):
+        word = [word]
+    result["pants"][0][0] = word
+    return result
+
+
 @kind
 def distance_of_many_paths():
     with open(os.path.join(data, "distances", "four-equal.json")) as file:

@@ -70,6 +70,16 @@ expect isometries-of-many-rows VERIFIED
 expect isometries-of-long-words UNDECIDED
 expect isometries-of-many-geodesics UNDECIDED
 expect isometries-of-powers UNDECIDED
+expect pants-of-a-random-path 'REFUTED: pants'
+expect pants-of-a-path-that-cancels UNDECIDED
+expect pants-of-a-path-that-cancels-to-nothing UNDECIDED
+expect pants-around-a-cuff UNDECIDED
+expect pants-around-a-cuff-of-1e-12 UNDECIDED
+expect pants-many 'REFUTED: pants'
+expect pants-of-genus-100 UNDECIDED
+expect pants-of-an-exact-length-of-400000-digits 'REFUTED: lengths'
+expect pants-in-a-tile-of-long-coordinates 'REFUTED: surface'
+expect pants-nested-deeply MALFORMED
 expect distance-of-many-paths ''
 expect bound-of-many-triangulations ''
 expect bound-of-many-cells ''

@@ -1,9 +1,11 @@
 #include "certify/claims/pants/check.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -143,6 +145,10 @@ class Paths {
           const std::size_t bits = kind.product_bits(0, word);
           if (bits > Kind::kMaxExactBits) return std::nullopt;
           budget_.spend(Kind::exact_work(bits));
+          if constexpr (std::is_same_v<Kind, RegularCrossings>) {
+            // Numbers of the ring take off their own work, which for small coefficients is mostly that of moving them.
+            budget_.spend(std::uint64_t{20} * kind.ring().order() * std::bit_width(word.size()), word.size());
+          }
           return question(kind.exact(word));
         },
         crossings_);
