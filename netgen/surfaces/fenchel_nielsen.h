@@ -141,8 +141,8 @@ struct FenchelNielsenRequest {
 [[nodiscard]] FenchelNielsen resolve(const FenchelNielsenRequest& request);
 
 /// Reads a request from the text of a JSON object with some of the members "graph", "genus", "seed", "lengths",
-/// "twists"; numbers are exact decimals, bare or in strings. Or from a pants file (docs/format.md), of which the middles
-/// of the intervals are taken. Throws FenchelNielsenRequestError.
+/// "twists"; numbers are exact decimals, bare or in strings. Or from a pants file (docs/format.md), of which the
+/// middles of the intervals are taken. Throws FenchelNielsenRequestError.
 [[nodiscard]] FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text);
 
 }  // namespace epsnet
