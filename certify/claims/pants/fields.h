@@ -31,7 +31,8 @@ struct Fields<PantsDocument::Cuff> {
 template <>
 struct Fields<PantsDocument> {
   static constexpr ClaimKind kKind{"pants", "epsnet-pants", "a pants decomposition",
-                                   "A pants file claims to cut a surface into pairs of pants, with lengths and twists.",
+                                   "A pants file claims how closed geodesics cut a surface into pairs of pants, with\n"
+                                   "lengths and twists.",
                                    19};
   static constexpr const char* kName = "pants file";
   static constexpr const char* kPrefix = "";
