@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
@@ -44,6 +45,20 @@ inline GeodesicsDocument in_order(GeodesicsDocument document) {
     if (++last.count > 1) last.equal = false;
   }
   return document;
+}
+
+/// The path back on the surface of a document.
+inline std::vector<std::uint32_t> reversed(const AnyClaim& document, std::vector<std::uint32_t> word) {
+  const SurfaceSides sides(document.net().surface);
+  std::reverse(word.begin(), word.end());
+  for (std::uint32_t& s : word) s = sides.partner[s];
+  return word;
+}
+
+/// One path after the other.
+inline std::vector<std::uint32_t> joined(std::vector<std::uint32_t> first, const std::vector<std::uint32_t>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 /// A name for the vertex of the surface that a side begins at: the least of the sides that do.

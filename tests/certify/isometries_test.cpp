@@ -47,19 +47,6 @@ std::string structure(const Document& document) {
   return certificate.message;
 }
 
-/// The path back.
-Word reversed(const Document& document, Word word) {
-  const SurfaceSides sides(document.net.surface);
-  std::reverse(word.begin(), word.end());
-  for (std::uint32_t& s : word) s = sides.partner[s];
-  return word;
-}
-
-Word joined(Word first, const Word& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 /// The isometries that preserve the orientation, of those listed.
 Document without_reflections(Document document) {
   std::erase_if(document.isometries, [](const auto& isometry) { return !isometry.preserves_orientation; });

@@ -10,7 +10,6 @@
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
-#include "certify/net/surface_sides.h"
 #include "tests/certify/claim_files.h"
 
 /// Pants files. Each rule is broken by a file in which nothing else is wrong.
@@ -36,22 +35,10 @@ std::string structure(const PantsDocument& document) {
   return certificate.message;
 }
 
-Word backwards(const PantsDocument& document, Word word) {
-  const SurfaceSides sides(document.net.surface);
-  std::reverse(word.begin(), word.end());
-  for (std::uint32_t& s : word) s = sides.partner[s];
-  return word;
-}
-
-Word joined(Word first, const Word& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 Word path(const PantsDocument& document, const PantsDocument::End& end) {
   const auto& [first, second] = document.pants[end[0]];
   if (end[1] < 2) return document.pants[end[0]][end[1]];
-  return backwards(document, joined(first, second));
+  return reversed(document, joined(first, second));
 }
 
 Interval moved(Interval x, double by) { return {x.lower + by, x.upper + by}; }
@@ -134,14 +121,14 @@ TEST(PantsFiles, PathsOfNoPants) {
       EXPECT_EQ(outcome_with(first, second), "VERIFIED");
       const std::string wrong = "REFUTED: pants";
       // One of them with the pants on its right, or both.
-      EXPECT_EQ(outcome_with(backwards(good, first), second), wrong);
-      EXPECT_EQ(outcome_with(first, backwards(good, second)), wrong);
-      EXPECT_EQ(outcome_with(backwards(good, second), backwards(good, first)), wrong);
+      EXPECT_EQ(outcome_with(reversed(good, first), second), wrong);
+      EXPECT_EQ(outcome_with(first, reversed(good, second)), wrong);
+      EXPECT_EQ(outcome_with(reversed(good, second), reversed(good, first)), wrong);
       // One curve twice; a null-homotopic one.
       EXPECT_EQ(outcome_with(first, first), wrong);
-      EXPECT_EQ(outcome_with(first, joined(first, backwards(good, first))), wrong);
-      EXPECT_EQ(outcome_with(joined(second, backwards(good, second)), second), wrong);
-      EXPECT_EQ(outcome_with(first, backwards(good, first)), wrong);
+      EXPECT_EQ(outcome_with(first, joined(first, reversed(good, first))), wrong);
+      EXPECT_EQ(outcome_with(joined(second, reversed(good, second)), second), wrong);
+      EXPECT_EQ(outcome_with(first, reversed(good, first)), wrong);
     }
   }
 }
@@ -247,7 +234,7 @@ TEST(PantsFiles, TwistsHaveASign) {
       document = good;
       PantsDocument::Cuff& cuff = document.cuffs[e];
       std::swap(cuff.ends[0], cuff.ends[1]);
-      cuff.across = backwards(good, cuff.across);
+      cuff.across = reversed(good, cuff.across);
       EXPECT_EQ(outcome(document), "VERIFIED") << e;
     }
   }
@@ -269,7 +256,7 @@ TEST(PantsFiles, AWayAroundTheCuffIsAsGood) {
 PantsDocument led_along(PantsDocument document, std::size_t p, const Word& loop, int times) {
   Word there;
   for (int i = 0; i < times; ++i) there = joined(there, loop);
-  const Word back = backwards(document, there);
+  const Word back = reversed(document, there);
   for (Word& word : document.pants[p]) word = joined(joined(there, word), back);
   for (PantsDocument::Cuff& cuff : document.cuffs) {
     if (cuff.ends[0][0] == p) cuff.across = joined(there, cuff.across);
