@@ -225,9 +225,10 @@ FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {
     throw RequestError(std::string("not JSON: ") + error.what());
   } catch (const IsPantsFile&) {
     try {
-      return request_of(certify::parse_file<certify::PantsDocument>(text, "pants file"));
+      return request_of(certify::parse_file<certify::PantsDocument>(text, ""));
     } catch (const certify::MalformedError& error) {
-      throw RequestError(error.what());
+      // After the name of the file, which whoever read it knows.
+      throw RequestError(std::string(std::string_view(error.what()).substr(std::string_view(": ").size())));
     }
   }
 }

@@ -238,6 +238,9 @@ TEST(Pants, SurfacesAreMadeFromFiles) {
   const auto reading = [&] { static_cast<void>(parse_fenchel_nielsen(other.str())); };
   EXPECT_THAT(reading, ::testing::ThrowsMessage<FenchelNielsenRequestError>(
                            HasSubstr("cuffs of a pair of pants are not in the order 0, 1, 2")));
+  const auto part = [] { static_cast<void>(parse_fenchel_nielsen(R"({"format": "epsnet-pants"})")); };
+  EXPECT_THAT(part, ::testing::ThrowsMessage<FenchelNielsenRequestError>(
+                        ::testing::Eq("pants file: missing member \"version\"")));
 }
 
 TEST(Pants, GraphsAreWrittenAsTheyAreRead) {
