@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "certify/exact/claim_documents.h"
+#include "certify/exact/interval.h"
 #include "certify/exact/net_rules.h"
 
 /// The rules of claims about a net, to be asked after those of the net, which are verified then. Each
@@ -21,6 +22,10 @@ template <class R>
 /// Section 15.
 template <class R>
 [[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net);
+/// Lemma 25 there, for a triangulation with one vertex at a point: whether it is Delaunay, all edges certainly locally
+/// so, and has a circumradius R with sinh²R >= `least`. By what is across each dart, and sinh²(d/2) of each.
+[[nodiscard]] Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Interval>& h,
+                                          const Interval& least);
 /// Section 17.
 template <class R>
 [[nodiscard]] std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<R>& net,

@@ -7,8 +7,8 @@
 
 #include "certify/numbers/exact.h"
 #include "kernel/lorentz.h"
-#include "netgen/base/gmp.h"
 #include "netgen/surfaces/triangle_group.h"
+#include "netgen/surfaces/word_isometry.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet {
@@ -39,24 +39,9 @@ class RationalElements {
   /// Nothing, if its numbers are too large.
   [[nodiscard]] static std::optional<Normal> normal_of(const Surface& surface, const Word& word) {
     std::size_t bits = 0;
-    std::vector<certify::ExactIsometry> crossings;
-    for (const SideId s : word) {
-      const Isometry<Rational>& f = surface.crossing(s);
-      crossings.push_back({integers(f.a), integers(f.b)});
-      bits += certify::bits(crossings.back());
-    }
+    for (const SideId s : word) bits += certify::bits(integer_crossing(surface, s));
     if (bits > kMostBits) return std::nullopt;
-    if (word.empty()) return scaled_normal(certify::exact_identity());
-    certify::ExactIsometry value =
-        certify::compose_range(0, crossings.size(), [&](std::size_t i) { return crossings[i]; });
-    // Its numbers are multiplied with each other from now on.
-    certify::reduce(value);
-    return scaled_normal(value);
-  }
-
- private:
-  static certify::Gaussian integers(const Complex<Rational>& z) {
-    return {to_gmp(z.x).get_num(), to_gmp(z.y).get_num()};
+    return scaled_normal(integer_isometry(surface, word));
   }
 };
 
@@ -71,16 +56,7 @@ class RegularElements {
     const std::size_t order = group_.ring().order();
     // A step of a walk adds some four bits to each coefficient.
     if (4 * order * word.size() > kMostBits) return std::nullopt;
-    const std::uint32_t p = group_.tile().p;
-    TileWalk walk;
-    // The side of the tile along which it looks.
-    std::uint32_t ahead = 0;
-    for (const SideId s : word) {
-      walk.turns.push_back((surface.place_in_tile(s) + p - ahead) % p);
-      ahead = surface.place_in_tile(surface.partner(s));
-    }
-    walk.last_turn = (p - ahead) % p;
-    return scaled_normal(group_.element(walk));
+    return scaled_normal(group_.element(walk_of(surface, word)));
   }
 
  private:

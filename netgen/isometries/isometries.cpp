@@ -394,6 +394,15 @@ class Classes {
 
 }  // namespace
 
+std::vector<Word> generator_words(const Surface& surface) {
+  std::vector<Word> result;
+  const FundamentalPolygon polygon = fundamental_polygon(surface);
+  for (std::uint32_t k = 0; k < polygon.sides.size(); ++k) {
+    if (k < polygon.sides[k].partner) result.push_back(polygon.sides[k].word);
+  }
+  return result;
+}
+
 std::size_t IsometryGroup::orientation_preserving() const {
   return static_cast<std::size_t>(std::count_if(isometries_.begin(), isometries_.end(),
                                                 [](const SurfaceIsometry& f) { return f.preserves_orientation; }));

@@ -29,6 +29,9 @@ struct SurfaceIsometry {
   std::vector<Word> images;
 };
 
+/// The words of these generators: paths from tile 0 to itself. O(sides) but for the letters.
+[[nodiscard]] std::vector<Word> generator_words(const Surface& surface);
+
 /// The isometries of a surface, a group.
 class IsometryGroup {
  public:

@@ -5,10 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "certify/numbers/exact.h"
-#include "certify/numbers/isometry.h"
 #include "kernel/lorentz.h"
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/word_isometry.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet {
@@ -16,7 +15,6 @@ namespace {
 
 using certify::Ball;
 using certify::BallIsometry;
-using certify::ExactIsometry;
 using Vector = LorentzVector<Ball>;
 
 constexpr slong kFirstBits = 256;
@@ -27,24 +25,13 @@ constexpr std::size_t kMostLetters = 1000;
 /// The normal of the axis of an element with Re a > 0, not of length 1.
 Vector normal(const BallIsometry& f) { return {-certify::imaginary(f.b), certify::real(f.b), certify::imaginary(f.a)}; }
 
-/// The integers of a crossing, which is rational.
-ExactIsometry exact_crossing(const Surface& surface, SideId s) {
-  const auto gaussian = [](const Complex<Rational>& z) {
-    return certify::Gaussian{to_gmp(z.x).get_num(), to_gmp(z.y).get_num()};
-  };
-  const Isometry<Rational>& f = surface.crossing(s);
-  return {gaussian(f.a), gaussian(f.b)};
-}
-
 /// Values of paths in balls: the isometry from the lift of the tile at the end to that at the start.
 class Values {
  public:
   Values(const Surface& surface, slong precision) : surface_(surface), precision_(precision) {}
 
   [[nodiscard]] BallIsometry operator()(const Word& word) const {
-    BallIsometry value = certify::identity_isometry();
-    for (const SideId s : word) value = times(value, certify::inverse(crossing(s)));
-    return value;
+    return certify::inverse(ball_isometry(surface_, word, precision_));
   }
 
   [[nodiscard]] BallIsometry times(const BallIsometry& f, const BallIsometry& g) const {
@@ -52,13 +39,6 @@ class Values {
   }
 
  private:
-  [[nodiscard]] BallIsometry crossing(SideId s) const {
-    const auto& tile = surface_.regular_tile();
-    if (!tile) return certify::to_balls(exact_crossing(surface_, s), precision_);
-    return certify::regular_crossing({tile->p, tile->q}, s.number() % tile->p, surface_.partner(s).number() % tile->p,
-                                     precision_);
-  }
-
   const Surface& surface_;
   slong precision_;
 };
@@ -82,8 +62,7 @@ Word joined(Word first, const Word& then) {
 /// e^{l/2} for an element of length l, if it is rational.
 std::optional<Rational> rational_root(const Surface& surface, const Word& path) {
   if (surface.is_regular() || path.empty() || path.size() > kMostLetters) return std::nullopt;
-  ExactIsometry f = exact_crossing(surface, path.front());
-  for (std::size_t i = 1; i < path.size(); ++i) f = compose(exact_crossing(surface, path[i]), f);
+  const certify::ExactIsometry f = integer_isometry(surface, path);
   // cosh(l/2) = |Re a|/√det, and sinh²(l/2) = (|b|² − (Im a)²)/det.
   const mpz_class square = f.b.re * f.b.re + f.b.im * f.b.im - f.a.im * f.a.im;
   const mpz_class determinant = f.a.re * f.a.re - square;

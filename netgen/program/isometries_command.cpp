@@ -14,7 +14,6 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/surfaces/group.h"
 
 /// The commands isometries and isometric: the symmetries of a surface, and whether two surfaces are the same.
 namespace epsnet::program {
@@ -29,16 +28,6 @@ struct IsometriesRequest {
   bool json = false;
   unsigned threads = 0;
 };
-
-/// The words of the generators of which isometries give the images.
-std::vector<Word> generator_words(const Surface& surface) {
-  std::vector<Word> result;
-  const FundamentalPolygon polygon = fundamental_polygon(surface);
-  for (std::uint32_t k = 0; k < polygon.sides.size(); ++k) {
-    if (k < polygon.sides[k].partner) result.push_back(polygon.sides[k].word);
-  }
-  return result;
-}
 
 const char* orientation_text(bool preserves) { return preserves ? "preserves orientation" : "reverses orientation"; }
 

@@ -263,19 +263,6 @@ Json rounded_json(const Isometry<Mp1024>& f, MatrixModel model) {
   return matrix_json(f, model, [](const Mp1024& x) { return x.str(kDigits, std::ios_base::fmtflags{}); });
 }
 
-/// The walk of a word from tile 0 to itself over regular tiles.
-TileWalk walk_of(const Surface& surface, const Word& word) {
-  const std::uint32_t p = surface.regular_tile()->p;
-  TileWalk result;
-  std::uint32_t ahead = 0;
-  for (const SideId s : word) {
-    result.turns.push_back((surface.place_in_tile(s) + p - ahead) % p);
-    ahead = surface.place_in_tile(surface.partner(s));
-  }
-  result.last_turn = (p - ahead) % p;
-  return result;
-}
-
 /// The numbers of a matrix, exactly, up to a positive factor.
 Json field_matrix_json(const TriangleGroup::ExactElement& f, MatrixModel model) {
   const auto x = [](const certify::RegularNumber& z) { return certify::twice_real(z); };

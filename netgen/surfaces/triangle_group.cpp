@@ -215,6 +215,18 @@ class CosetTiles {
 
 }  // namespace
 
+TileWalk walk_of(const Surface& surface, const Word& word) {
+  const std::uint32_t p = surface.regular_tile()->p;
+  TileWalk result;
+  std::uint32_t ahead = 0;
+  for (const SideId s : word) {
+    result.turns.push_back((surface.place_in_tile(s) + p - ahead) % p);
+    ahead = surface.place_in_tile(surface.partner(s));
+  }
+  result.last_turn = (p - ahead) % p;
+  return result;
+}
+
 TriangleGroup::TriangleGroup(RegularTile tile, const certify::Budget& budget)
     : tile_(tile), ring_(ring_of(tile, budget)) {
   const Number square = 2 * cos(Number(2 * pi() / tile.p)) + 2 * cos(Number(2 * pi() / tile.q));

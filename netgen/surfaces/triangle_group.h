@@ -21,6 +21,9 @@ struct TileWalk {
   std::uint32_t last_turn = 0;       ///< After all of these.
 };
 
+/// The walk of a word from tile 0 to itself over regular tiles. O(letters).
+[[nodiscard]] TileWalk walk_of(const Surface& surface, const Word& word);
+
 /// The triangle group, in coordinates with a tile centred at 0 and the midpoint of its side 0 on the positive real
 /// axis.
 class TriangleGroup {

@@ -1,9 +1,10 @@
+#include "netgen/surfaces/word_isometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "certify/numbers/isometry.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/group.h"
 
@@ -26,16 +27,6 @@ void require_path(const Surface& surface, const Word& word) {
 certify::Gaussian to_gaussian(const Complex<Rational>& z) {
   // Integers, as crossings are.
   return {to_gmp(z.x).get_num(), to_gmp(z.y).get_num()};
-}
-
-certify::ExactIsometry product(const Surface& surface, const Word& word) {
-  if (word.empty()) return certify::exact_identity();
-  certify::ExactIsometry result = certify::compose_range(0, word.size(), [&](std::size_t i) {
-    const Isometry<Rational>& f = surface.crossing(word[i]);
-    return certify::ExactIsometry{to_gaussian(f.a), to_gaussian(f.b)};
-  });
-  certify::reduce(result);
-  return result;
 }
 
 certify::BallIsometry regular_product(const Surface& surface, const Word& word, slong precision) {
@@ -102,10 +93,28 @@ bool is_narrow(arb_srcptr x, slong size, slong bits) {
 
 }  // namespace
 
+certify::ExactIsometry integer_crossing(const Surface& surface, SideId side) {
+  const Isometry<Rational>& f = surface.crossing(side);
+  return {to_gaussian(f.a), to_gaussian(f.b)};
+}
+
+certify::ExactIsometry integer_isometry(const Surface& surface, const Word& word) {
+  if (word.empty()) return certify::exact_identity();
+  certify::ExactIsometry result =
+      certify::compose_range(0, word.size(), [&](std::size_t i) { return integer_crossing(surface, word[i]); });
+  certify::reduce(result);
+  return result;
+}
+
+certify::BallIsometry ball_isometry(const Surface& surface, const Word& word, slong precision) {
+  return surface.is_regular() ? regular_product(surface, word, precision)
+                              : certify::to_balls(integer_isometry(surface, word), precision);
+}
+
 Isometry<Rational> exact_isometry(const Surface& surface, const Word& word) {
   require_path(surface, word);
   if (surface.is_regular()) throw SurfaceError("the isometries of regular tiles are not rational");
-  const certify::ExactIsometry f = product(surface, word);
+  const certify::ExactIsometry f = integer_isometry(surface, word);
   const auto rational = [](const mpz_class& x) { return from_gmp(mpq_class(x)); };
   return {{rational(f.a.re), rational(f.a.im)}, {rational(f.b.re), rational(f.b.im)}};
 }
@@ -116,7 +125,8 @@ EnclosedIsometry enclosed_isometry(const Surface& surface, const Word& word, uns
     throw std::invalid_argument("an enclosure may be asked for with at most " + std::to_string(kMostEnclosureBits) +
                                 " bits, not " + std::to_string(bits));
   }
-  const certify::ExactIsometry exact = surface.is_regular() ? certify::exact_identity() : product(surface, word);
+  const certify::ExactIsometry exact =
+      surface.is_regular() ? certify::exact_identity() : integer_isometry(surface, word);
   const slong wanted = static_cast<slong>(bits) + 4;
   for (slong precision = wanted + 32;; precision *= 2) {
     const certify::BallIsometry f =

@@ -155,6 +155,25 @@ TEST(PantsFiles, CuffsThatAreNotTheSame) {
   EXPECT_EQ(outcome(square), "REFUTED: glued");
 }
 
+/// An element that moves the centre of its tile along its axis has a real a, and is not 1.
+TEST(PantsFiles, ATranslationOfTheCentreIsNotTrivial) {
+  PantsDocument document = pants("bolza");
+  const auto cuff = std::find_if(document.cuffs.begin(), document.cuffs.end(), [](const PantsDocument::Cuff& one) {
+    return one.ends[0][0] != one.ends[1][0] && one.ends[0][1] < 2 && one.ends[1][1] < 2;
+  });
+  ASSERT_NE(cuff, document.cuffs.end());
+  std::swap(*cuff, document.cuffs[0]);
+  const auto& [here, there] = document.cuffs[0].ends;
+  // Around it is side 0, which is opposite to its partner.
+  document.cuffs[0].across.clear();
+  document.pants[there[0]][there[1]] = joined(reversed(document, path(document, here)), {0});
+  const auto rules = checked(document).rules;
+  const auto glued = std::find_if(rules.begin(), rules.end(), [](const auto& rule) { return rule.rule == "glued"; });
+  ASSERT_NE(glued, rules.end());
+  EXPECT_EQ(glued->verdict, Verdict::refuted);
+  EXPECT_THAT(glued->text, HasSubstr("cuff 0 is not the same closed geodesic"));
+}
+
 // Rule lengths.
 
 TEST(PantsFiles, LengthsAreInTheirIntervals) {
@@ -214,8 +233,10 @@ TEST(PantsFiles, TwistsAreInTheirIntervals) {
         twist = {twist.lower - 1e-10, twist.upper + 1e-10};
         EXPECT_EQ(outcome(document), "VERIFIED") << e << ' ' << times;
       }
-      twist = {1e6, 1e6 + 1.001 * length};
-      EXPECT_EQ(outcome(document), "VERIFIED") << e;
+      for (const Interval wide : {Interval{1e6, 1e6 + 1.001 * length}, Interval{-7e300, 3}, Interval{2, 7e300}}) {
+        twist = wide;
+        EXPECT_EQ(outcome(document), "VERIFIED") << e;
+      }
       // All that is at least a little away from a twist.
       twist = {upper + length / 1000, upper + length - length / 1000};
       EXPECT_EQ(outcome(document), "REFUTED: twists") << e;
@@ -263,6 +284,25 @@ PantsDocument led_along(PantsDocument document, std::size_t p, const Word& loop,
     if (cuff.ends[1][0] == p) cuff.across = joined(cuff.across, back);
   }
   return document;
+}
+
+/// On which side the axes are does not depend on where the centre of the tile is: beyond one cuff or another, also
+/// where they are much longer than each other.
+TEST(PantsFiles, WhereverTheirTileIs) {
+  const PantsDocument good = pants("cuff-1e-12");
+  for (std::uint32_t p = 0; p < 2; ++p) {
+    for (const PantsDocument::Cuff& there : good.cuffs) {
+      for (const PantsDocument::Cuff& back : good.cuffs) {
+        Word loop = joined(there.across, reversed(good, back.across));
+        if (p == 1) loop = joined(reversed(good, there.across), back.across);
+        PantsDocument document = led_along(good, p, loop, 1);
+        EXPECT_EQ(outcome(document), "VERIFIED");
+        PantsDocument::Paths& paths = document.pants[p];
+        paths = {reversed(document, paths[1]), reversed(document, paths[0])};
+        EXPECT_EQ(outcome(document), "REFUTED: pants");
+      }
+    }
+  }
 }
 
 TEST(PantsFiles, WideBallsRefuteNothing) {

@@ -17,7 +17,7 @@
 #include "certify/claims/bound/triangles.h"
 #include "certify/claims/isometries/orbit.h"
 #include "certify/exact/checker.h"
-#include "certify/exact/wide_triangulations.h"
+#include "certify/exact/claim_rules.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/darts.h"

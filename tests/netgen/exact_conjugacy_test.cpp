@@ -20,15 +20,6 @@
 namespace epsnet::exact_conjugacy_test {
 namespace {
 
-std::vector<Word> generators(const Surface& surface) {
-  std::vector<Word> result;
-  const FundamentalPolygon polygon = fundamental_polygon(surface);
-  for (std::uint32_t k = 0; k < polygon.sides.size(); ++k) {
-    if (k < polygon.sides[k].partner) result.push_back(polygon.sides[k].word);
-  }
-  return result;
-}
-
 certify::Crossings crossings_of(const Surface& surface) {
   return certify::check_surface(to_document(surface)).crossings;
 }
@@ -51,7 +42,7 @@ class ExactConjugacy : public testing::TestWithParam<const char*> {
 TEST_P(ExactConjugacy, IsWhatTheCheckerSays) {
   const Surface surface = ExactConjugacy::surface();
   const certify::Crossings crossings = crossings_of(surface);
-  const std::vector<Word> words = generators(surface);
+  const std::vector<Word> words = generator_words(surface);
   const IsometryGroup group = isometries(surface);
   const std::size_t step = 1 + group.size() / 3;
   int others = 0;
@@ -79,7 +70,7 @@ TEST_P(ExactConjugacy, IsWhatTheCheckerSays) {
 TEST_P(ExactConjugacy, AxesCrossWhereTheCheckerSaysSo) {
   const Surface surface = ExactConjugacy::surface();
   const certify::Crossings crossings = crossings_of(surface);
-  std::vector<Word> words = generators(surface);
+  std::vector<Word> words = generator_words(surface);
   words.resize(std::min<std::size_t>(words.size(), 8));
   for (std::size_t k = words.size(); k-- > 1;) words.push_back(concatenated(surface, words[k], words[k - 1]));
   int crossing = 0;

@@ -23,16 +23,6 @@ namespace {
 
 using Kind = IsometricAnswer::Kind;
 
-/// The words of the generators of which isometries give the images.
-std::vector<Word> generators(const Surface& surface) {
-  std::vector<Word> result;
-  const FundamentalPolygon polygon = fundamental_polygon(surface);
-  for (std::uint32_t k = 0; k < polygon.sides.size(); ++k) {
-    if (k < polygon.sides[k].partner) result.push_back(polygon.sides[k].word);
-  }
-  return result;
-}
-
 double middle(const EnclosedNumber& x) { return static_cast<double>(Rational((x.lower + x.upper) / 2)); }
 
 /// |Re a| of the value of a word: half the trace.
@@ -43,7 +33,7 @@ double half_trace(const Surface& surface, const Word& word) {
 /// Checks, by a way of its own, that an isometry keeps relations and lengths: those of all products of at most three
 /// generators.
 void expect_isometry(const Surface& from, const Surface& to, const SurfaceIsometry& isometry) {
-  const std::vector<Word> words = generators(from);
+  const std::vector<Word> words = generator_words(from);
   ASSERT_EQ(isometry.images.size(), words.size());
   const auto expect_same = [&](const Word& word, const Word& image) {
     const double expected = half_trace(from, word);

@@ -11,6 +11,7 @@
 
 #include "certify/base/counted.h"
 #include "certify/claims/net/claim.h"
+#include "certify/lifted/lorentz.h"
 #include "certify/net/surface_sides.h"
 #include "certify/numbers/ball_vector.h"
 #include "certify/numbers/precision.h"
@@ -46,20 +47,14 @@ Ball determinant(const BallVector& u, const BallVector& v, const BallVector& w) 
   return result;
 }
 
-/// With Re a > 0, if balls tell.
-BallIsometry positive(BallIsometry f) {
-  if (certainly_negative(real(f.a)) == Tri::yes) return {-f.a, -f.b};
-  return f;
-}
-
 /// Whether these are elements of a pair of pants on their left (Lemma 42). If so, signs are as they should be.
 Tri are_of_pants(const Elements& elements) {
   const Ball one = Ball::exactly(1);
-  const auto& [first, second, third] = elements.cuffs;
+  const BallIsometry& first = elements.cuffs[0];
+  const BallIsometry& second = elements.cuffs[1];
   // A ball on both sides of 0 may have the wrong sign, and then says nothing.
-  for (const BallIsometry& f : {first, second}) {
-    if (certainly_positive(real(f.a)) != Tri::yes) return Tri::unknown;
-  }
+  if (certain_sign(real(first.a)) != 1 || certain_sign(real(second.a)) != 1) return Tri::unknown;
+  // The first two follow from the third: elements of the group are hyperbolic or 1.
   const Tri traces = both(both(certainly_less(one, real(first.a)), certainly_less(one, real(second.a))),
                           certainly_less(real(elements.product.a), -one));
   const BallVector n = axis_normal(first);
@@ -114,9 +109,10 @@ class Paths {
         crossings_);
   }
 
-  /// Whether a path is null-homotopic. Nothing, if its numbers are too large.
+  /// Whether a path is null-homotopic: only 1 leaves the centre of a tile, or any other point, where it is. Nothing, if
+  /// its numbers are too large.
   [[nodiscard]] std::optional<bool> is_trivial(const Word& word) const {
-    return exactly(word, [](const auto& f) { return sign(twice_imaginary(f.a)) == 0 && sign(norm(f.b)) == 0; });
+    return exactly(word, [](const auto& f) { return sign(norm(f.b)) == 0; });
   }
 
   /// Whether e^{l/2} = R for the length l of the element of a path: tr²/det = (R + 1/R)².
@@ -220,10 +216,14 @@ class PantsCheck {
   [[nodiscard]] std::vector<Elements> elements(slong precision) const {
     std::vector<Elements> result;
     for (const PantsDocument::Paths& paths : document_.pants) {
-      const BallIsometry first = positive(paths_.balls(paths[0], precision));
-      const BallIsometry second = positive(paths_.balls(paths[1], precision));
-      const BallIsometry product = compose(first, second, precision);
-      result.push_back({{first, second, positive(inverse(product))}, product});
+      BallIsometry first = paths_.balls(paths[0], precision);
+      BallIsometry second = paths_.balls(paths[1], precision);
+      choose_sign(first);
+      choose_sign(second);
+      BallIsometry product = compose(first, second, precision);
+      BallIsometry third = inverse(product);
+      choose_sign(third);
+      result.push_back({{std::move(first), std::move(second), std::move(third)}, std::move(product)});
     }
     return result;
   }
@@ -334,11 +334,10 @@ class PantsCheck {
     return !rules_.open(kPants) && (!rules_.open(kLengths) || roots_undecided_) && !rules_.open(kTwists);
   }
 
-  [[nodiscard]] static Ball length_of(const BallVector& n) { return twice(asinh(sqrt(product(n, n)))); }
-
   [[nodiscard]] Ball length_of(const std::vector<Elements>& elements, std::size_t e) const {
     const auto& [p, k] = document_.cuffs[e].ends[0];
-    return length_of(axis_normal(elements[p].cuffs[k]));
+    const BallVector n = axis_normal(elements[p].cuffs[k]);
+    return twice(asinh(sqrt(product(n, n))));
   }
 
   /// Lemma 44.
