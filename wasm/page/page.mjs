@@ -221,7 +221,7 @@ function fileButton(name, make, title, extension) {
 // Whatever happens next, a verdict of before must not stand beside it.
 function forget() {
   current = null;
-  $('of-before').textContent = '';
+  $('of-before').textContent = $('work-text').textContent = '';
   for (const id of ['certificate', 'questions', 'panel']) $(id).hidden = true;
   $('verdict').textContent = $('verdict').className = '';
   $('picture').classList.add('past');
