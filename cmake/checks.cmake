@@ -1,10 +1,10 @@
 # Targets that check the sources: format and format-check, by clang-format. (clang-tidy: .ci/tidy.)
 set(folders certify kernel triangulation netgen python experiments tests fuzz examples wasm)
-list(TRANSFORM folders PREPEND ${CMAKE_SOURCE_DIR}/)
+list(TRANSFORM folders PREPEND ${PROJECT_SOURCE_DIR}/)
 list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE headers)
 list(TRANSFORM folders APPEND /*.cpp OUTPUT_VARIABLE sources)
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${headers} ${sources})
-list(APPEND sources ${CMAKE_SOURCE_DIR}/epsnet.h)
+list(APPEND sources ${PROJECT_SOURCE_DIR}/epsnet.h)
 
 add_custom_target(format COMMAND clang-format -i ${sources} VERBATIM)
 add_custom_target(format-check COMMAND clang-format --dry-run -Werror ${sources} VERBATIM)

@@ -1,6 +1,7 @@
 # The libraries epsnet is linked with, found in the same way by its own build and by find_package(epsnet):
 #   GMP::GMP, GMP::GMPXX, MPFR::MPFR, FLINT::FLINT (FLINT with Arb: two libraries before FLINT 3),
 #   Threads::Threads, TBB::tbb, and the Boost headers as Boost::headers.
+# Targets are global where CMAKE_FIND_PACKAGE_TARGETS_GLOBAL is ON, as those of find_package are.
 # Sets epsnet_missing to the libraries that are not found. If epsnet_is_shared is set, searches only for the libraries that public headers include.
 
 set(epsnet_missing "")
@@ -26,7 +27,11 @@ macro(epsnet_import target header)
       endif()
     endforeach()
     if(epsnet_import_found)
-      add_library(${target} INTERFACE IMPORTED)
+      set(epsnet_import_scope "")
+      if(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL)
+        set(epsnet_import_scope GLOBAL)
+      endif()
+      add_library(${target} INTERFACE IMPORTED ${epsnet_import_scope})
       set_target_properties(${target} PROPERTIES
         INTERFACE_INCLUDE_DIRECTORIES "${${include}}"
         INTERFACE_LINK_LIBRARIES "${epsnet_import_libraries}")

@@ -1,18 +1,9 @@
 # The site, in build/site/html: the documents and the reference of the public headers. cmake --build --preset release --target site
 # needs the Debian packages of the group `site` (.ci/setup site). Warnings are errors.
 set(site ${CMAKE_CURRENT_BINARY_DIR}/site)
-set(headers "")
-get_property(header_sets GLOBAL PROPERTY epsnet_header_sets)
-foreach(header_set ${header_sets})
-  get_target_property(files ${header_set} HEADER_SET)
-  get_target_property(folder ${header_set} SOURCE_DIR)
-  foreach(file ${files})
-    get_filename_component(file ${file} ABSOLUTE BASE_DIR ${folder})
-    list(APPEND headers ${file})
-  endforeach()
-endforeach()
-set(names ${headers})
-list(TRANSFORM names REPLACE "^${PROJECT_SOURCE_DIR}/" "")
+get_property(names GLOBAL PROPERTY epsnet_public_headers)
+set(headers ${names})
+list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/)
 list(JOIN headers " " headers)
 configure_file(docs/site/Doxyfile.in ${site}/Doxyfile @ONLY)
 
@@ -40,7 +31,7 @@ if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
     COMMAND ${CMAKE_COMMAND} -E copy ${formal} ${source}/formal
     COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source}/docs/site
-    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${CMAKE_BINARY_DIR}/python PYDEVD_DISABLE_FILE_VALIDATION=1 ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python PYDEVD_DISABLE_FILE_VALIDATION=1 ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown
       --execute --output-dir ${source}/docs/notebooks ${notebooks}
     COMMAND ${EPSNET_DOXYGEN} ${site}/Doxyfile
     COMMAND python3 docs/site/reference.py ${site}/xml docs/site/reference ${source}/reference ${names}

@@ -54,8 +54,8 @@ int main() {
     }
   }
   std::cout << net.triangles.size() << " triangles, area " << area << " (4 pi (g - 1) = " << 4 * std::numbers::pi
-            << ")\nsides from " << shortest << " to " << longest << ", " << sum / (3.0 * net.triangles.size())
-            << " in the mean\n";
+            << ")\nsides from " << shortest << " to " << longest << ", "
+            << sum / (3.0 * static_cast<double>(net.triangles.size())) << " in the mean\n";
 
   // One lift of every triangle in one disk, connected, with vertex 0 in the centre: what a picture shows.
   const epsnet::Lifts lifts = epsnet::lift_triangles(geometry, epsnet::DrawOrder::weight);

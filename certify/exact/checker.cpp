@@ -84,4 +84,13 @@ Result check(std::string_view text, long most_lifts) {
   }
 }
 
+bool is_surface_file(std::string_view text) {
+  try {
+    read_surface_file(parse_json(text));
+    return true;
+  } catch (const Malformed&) {
+    return false;
+  }
+}
+
 }  // namespace epsnet::exact

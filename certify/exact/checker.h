@@ -33,4 +33,7 @@ inline constexpr long kMostLifts = 10'000'000;
 /// for lists of geodesics, and for eigenvalues. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text, long most_lifts = kUsualLifts);
 
+/// Whether the text is a surface file, well-formed and no more: such a file claims nothing, so there is no verdict.
+[[nodiscard]] bool is_surface_file(std::string_view text);
+
 }  // namespace epsnet::exact

@@ -192,6 +192,14 @@ Net read_net(const Json& root, Words& words) {
   return net;
 }
 
+void read_surface_file(const Json& root) {
+  expect_members(root, {"format", "version", "surface"});
+  expect_text(member(root, "format"), "epsnet-surface", "the format");
+  expect_version(root);
+  Net net;
+  read_surface(member(root, "surface"), net);
+}
+
 Net read_net(const Json& root) {
   Words words;
   return read_net(root, words);

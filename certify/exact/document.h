@@ -67,6 +67,9 @@ struct Net {
 /// Members, kinds and ranges of numbers. Throws Malformed. Indices may name what is not there.
 [[nodiscard]] Net read_net(const Json& root);
 
+/// The same of a surface file, of which nothing is kept.
+void read_surface_file(const Json& root);
+
 // For readers of other documents. Each throws Malformed, and names `what` is wrong.
 
 /// Words of at most 10⁶ letters, 10⁷ in all.

@@ -9,6 +9,7 @@
 /// The program `certify-exact FILE`: reads a file (`-` is standard input) and prints one verdict line.
 namespace {
 
+constexpr int kExitNoClaim = 5;
 constexpr int kExitUsage = 64;
 constexpr int kExitInternal = 70;
 constexpr std::size_t kMaxBytes = std::size_t{1} << 32;
@@ -18,9 +19,9 @@ constexpr const char* kUsage =
     "pants file: a second opinion beside certify, by integers and MPFR.\n"
     "FILE is read completely; - is standard input. Example: certify-exact net.json\n\n"
     "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or\n"
-    "MALFORMED: why.\n"
+    "MALFORMED: why; of a surface file NO CLAIM, and what to do with it.\n"
     "Exit codes: 0 verified, or --help, 1 refuted, 2 undecided, 3 malformed file,\n"
-    "64 usage, 70 internal fault.\n";
+    "5 a surface file, 64 usage, 70 internal fault.\n";
 
 }  // namespace
 
@@ -42,6 +43,12 @@ int main(int argc, char** argv) try {
     return kExitUsage;
   }
   const epsnet::exact::Result result = epsnet::exact::check(text);
+  if (result.verdict == epsnet::exact::Verdict::malformed && epsnet::exact::is_surface_file(text)) {
+    std::cout << "NO CLAIM: this is a surface file, which claims nothing; "
+                 "epsnet net FILE --epsilon 0.1 -o net.json makes a net of it"
+              << std::endl;
+    return std::cout ? kExitNoClaim : kExitInternal;
+  }
   constexpr const char* kNames[] = {"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
   const auto code = static_cast<int>(result.verdict);
   std::cout << kNames[code] << (result.rule.empty() ? "" : ": ") << result.rule;

@@ -19,6 +19,7 @@
 #include "certify/base/fault.h"
 #include "certify/check.h"
 #include "certify/file/compact.h"
+#include "certify/file/document_reader.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/program/second_checker.h"
@@ -137,13 +138,31 @@ void add_second_opinion(FileReport& report, std::string_view bytes, bool exact) 
   report.certificate = agreed(std::move(report.certificate), opinion);
 }
 
+std::string without_name(const std::exception& error, const FileReport& report) {
+  const std::string_view text = error.what();
+  const std::string prefix = report.name + ": ";
+  return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
+}
+
+/// Whether the file says that it is one of a surface.
+bool is_named_surface(std::string_view bytes) {
+  Pieces pieces(bytes);
+  return format_of(pieces) == "epsnet-surface";
+}
+
+/// What is said of such a file: that it claims nothing, or what is wrong with it.
+FileReport surface_report(FileReport report, std::string_view bytes) {
+  try {
+    (void)parse_file<SurfaceDocument>(bytes, report.name);
+    report.is_surface = true;
+  } catch (const MalformedError& error) {
+    report.certificate = malformed(without_name(error, report));
+  }
+  return report;
+}
+
 FileReport check_bytes(const Request& request, const std::string& path) {
   FileReport report{.name = display_name(path), .path = path};
-  const auto without_name = [&](const std::exception& error) {
-    const std::string_view text = error.what();
-    const std::string prefix = report.name + ": ";
-    return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
-  };
   Sha256InBackground sum(request.options.threads == 1);
   std::string bytes;  // Kept for the second checker, if it may be asked about them.
   bool seen = false;
@@ -167,11 +186,12 @@ FileReport check_bytes(const Request& request, const std::string& path) {
     document = read_file<ClaimDocument>(path, witness, Structure::unchecked);
     report.sha256 = sum.text();
   } catch (const FileError& error) {
-    report.error = without_name(error);
+    report.error = without_name(error, report);
     return report;
   } catch (const MalformedError& error) {
     if (seen) report.sha256 = sum.text();
-    report.certificate = malformed(without_name(error));
+    if (seen && kept && is_named_surface(bytes)) return surface_report(std::move(report), bytes);
+    report.certificate = malformed(without_name(error, report));
     ask_about_malformed();
     return report;
   }

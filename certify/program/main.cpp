@@ -32,11 +32,11 @@ int check_files(const Request& request) {
     separator = "\n";
     const FileReport report = check_file(request, path);
     const int own_code = exit_code(report);
-    const bool malformed = report.error.empty() && report.certificate.verdict == Verdict::malformed;
+    const bool named = report.is_surface || (report.error.empty() && report.certificate.verdict == Verdict::malformed);
     if (own_code == kExitVerified) ++verified;
     if (code == kExitVerified && own_code != kExitVerified) {
       code = own_code;
-      last_line = verdict_line(report, several || malformed ? report.name : "");
+      last_line = verdict_line(report, several || named ? report.name : "");
     }
     if (!report.error.empty()) std::cerr << "certify: " << report.name << ": " << report.error << '\n';
     if (request.json) {

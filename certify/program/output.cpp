@@ -11,6 +11,9 @@
 namespace epsnet::certify::program {
 namespace {
 
+constexpr const char* kNoClaim =
+    "this is a surface file, which claims nothing; epsnet net FILE --epsilon 0.1 -o net.json makes a net of it";
+
 int exit_code(Verdict verdict) {
   switch (verdict) {
     case Verdict::verified:
@@ -65,7 +68,7 @@ void visit_geodesics_counts(const GeodesicsCounts& c, const Visit& visit) {
 
 /// The checkers that verified the claim; none, unless that is the verdict.
 std::vector<const char*> verified_by(const FileReport& report) {
-  if (report.certificate.verdict != Verdict::verified) return {};
+  if (report.is_surface || report.certificate.verdict != Verdict::verified) return {};
   if (report.second && report.second->verdict == Verdict::verified) return {"certify", "certify-exact"};
   return {"certify"};
 }
@@ -160,11 +163,13 @@ void add_findings(const FileReport& report, Members& members) {
 
 int exit_code(const FileReport& report) {
   if (report.fault) return kExitFault;
+  if (report.is_surface) return kExitNoClaim;
   if (report.certificate.rule == kAgreement) return kExitDisagreement;
   return report.error.empty() ? exit_code(report.certificate.verdict) : kExitUsage;
 }
 
 std::string verdict_line(const FileReport& report, const std::string& place) {
+  if (report.is_surface) return "NO CLAIM: " + (place.empty() ? "" : place + ": ") + kNoClaim;
   if (report.error.empty()) return verdict_line(report.certificate, place);
   return "ERROR: " + (place.empty() ? "" : place + ": ") + report.error;
 }
@@ -186,16 +191,20 @@ std::string as_text(const FileReport& report) {
   }
   if (!report.sha256.empty()) out << "sha256: " << report.sha256 << '\n';
   if (report.is_claim) out << second_checker_line(report) << "claim: " << certificate.claim << '\n';
-  if (certificate.verdict == Verdict::verified) out << "verified by: " << joined(verified_by(report), " and ") << '\n';
+  if (!verified_by(report).empty()) out << "verified by: " << joined(verified_by(report), " and ") << '\n';
   return out.str();
 }
 
 std::string as_json(const FileReport& report) {
   const Certificate& certificate = report.certificate;
   Members members;
-  members.add("verdict", report.error.empty() ? json_string(name(certificate.verdict)) : "null");
+  const bool has_verdict = report.error.empty() && !report.is_surface;
+  members.add("verdict", has_verdict ? json_string(name(certificate.verdict)) : "null");
   members.add("file", json_string(report.path));
-  if (report.error.empty()) {
+  if (report.is_surface) {
+    members.add("sha256", json_string(report.sha256));
+    members.add("no_claim", json_string(kNoClaim));
+  } else if (has_verdict) {
     if (!report.sha256.empty()) members.add("sha256", json_string(report.sha256));
     members.add("rule", json_string(certificate.rule));
     members.add("message", json_string(certificate.message));

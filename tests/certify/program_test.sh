@@ -1,8 +1,11 @@
 #!/bin/sh
-# program_test.sh CERTIFY DATA: every file of DATA/VERDICT/ gives that verdict's exit code and last line; so do several
+# program_test.sh CERTIFY CERTIFY-EXACT DATA: every file of DATA/VERDICT/ gives that verdict's exit code and last line; so do several
 # files, usage errors and a full disk. Exit code 0 exactly if the last line is VERIFIED.
 certify=$1
-data=$2
+certify_exact=$2
+data=$3
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
 failures=0
 runs=0
 
@@ -111,6 +114,27 @@ for file in "$data"/malformed/*; do
   "$certify" "$file" | grep -v -e '^sha256: ' -e '^MALFORMED: ' && fail "$file: more than that it is malformed"
   "$certify" --json "$file" | grep -e '"counts"' -e '"claim"' -e '"rules"' && fail "--json $file: counts or claims"
 done
+
+# A surface file claims nothing, which is no fault of the file; a broken one is malformed.
+surface=$data/../surfaces/cuff-1e-28.json
+no_claim='this is a surface file, which claims nothing; epsnet net FILE --epsilon 0.1 -o net.json makes a net of it'
+expect 5 "NO CLAIM: \"$surface\": $no_claim" "$surface"
+expect 5 "NO CLAIM: standard input: $no_claim" - <"$surface"
+expect 5 "NO CLAIM: \"$surface\": $no_claim" "$good" "$surface" "$malformed"
+expect 5 '{"verdict": null, "file": ' --json "$surface"
+"$certify" --json "$surface" | grep -Fq "\"no_claim\": \"$no_claim\"}" || fail "--json of a surface file"
+"$certify" "$surface" | grep -v -e '^sha256: ' -e '^NO CLAIM: ' && fail "$surface: more than that it claims nothing"
+sed 's/"version":1/"version":2/' "$surface" >"$scratch/broken.json"
+expect 3 "MALFORMED: \"$scratch/broken.json\": surface file: version 2 is not" "$scratch/broken.json"
+exact() {
+  code=$1
+  line=$2
+  runs=$((runs + 1))
+  [ "$("$certify_exact" "$3"; echo $?)" = "$line
+$code" ] || fail "certify-exact $3: not '$line' and $code"
+}
+exact 5 "NO CLAIM: $no_claim" "$surface"
+exact 3 "MALFORMED: unexpected value for the format" "$scratch/broken.json"
 
 # Standard input and pipes are read once.
 expect 0 VERIFIED - <"$good"

@@ -179,8 +179,9 @@ std::string json_of(const certify::program::FileReport& report) {
 }
 
 std::string text_of(const certify::program::FileReport& report) {
-  const bool malformed = report.error.empty() && report.certificate.verdict == certify::Verdict::malformed;
-  return as_text(report) + verdict_line(report, malformed ? report.name : "") + '\n';
+  const bool named =
+      report.is_surface || (report.error.empty() && report.certificate.verdict == certify::Verdict::malformed);
+  return as_text(report) + verdict_line(report, named ? report.name : "") + '\n';
 }
 
 /// {"certificate": …, MEMBERS}, with the file and the text of the certificate. Throws NetError unless it is verified.

@@ -5,24 +5,37 @@ const kNumber = /^-?[0-9.eE/+-]{1,40}$/;
 const kForms = {
   seed: /^[0-9]{1,10}$/, name: /^[a-z0-9-]{1,40}$/, genus: /^[2-4]$/, graph: /^(chain|ring|tree)$/, epsilon: kNumber, kind: /^(net|sparse|pseudo)$/,
   lengths: kNumber, twists: kNumber};
+const kExpected = {
+  seed: 'an integer', name: 'a name, such as bolza or wiman-7', genus: '2, 3 or 4', graph: 'chain, ring or tree', epsilon: 'a number, such as 0.1 or 1/10',
+  kind: 'net, sparse or pseudo', lengths: 'numbers', twists: 'numbers'};
 
 export function toHash(chosen) {
   const fields = ['surface', ...kFields[chosen.surface], 'epsilon', 'kind'];
   return fields.map(field => `${field}=${[].concat(chosen[field]).map(encodeURIComponent).join(',')}`).join('&');
 }
 
-// The choice that an address describes; null if it describes none. Other people make addresses: each value must have its form.
+const kDefaults = {seed: '123', genus: '2', graph: 'chain', epsilon: '0.1', kind: 'net'};
+
+// The choice that an address describes, with `missing`, the fields that it does not have and that are those of kDefaults, lengths 2 and twists 0;
+// null if it describes none. Throws an Error that says which value is wrong. Other people make addresses: each value must have its form.
 export function fromHash(hash) {
-  const values = new URLSearchParams(hash), surface = values.get('surface');
-  if (!Object.hasOwn(kFields, surface)) return null;
-  const chosen = {surface};
+  const values = new URLSearchParams(hash);
+  if (hash === '' || values.has('file')) return null;
+  const wrong = (field, value, expected) => new Error(`This link does not work: ${field}=${String(value).slice(0, 40)}, expected ${expected}`);
+  const surface = values.get('surface') ?? Object.keys(kFields).find(kind => kFields[kind].some(field => values.has(field)));
+  if (!Object.hasOwn(kFields, surface)) throw wrong('surface', surface ?? '', Object.keys(kFields).join(', '));
+  const chosen = {surface, missing: []};
   for (const field of [...kFields[surface], 'epsilon', 'kind']) {
-    const isList = field === 'lengths' || field === 'twists', words = isList ? (values.get(field) ?? '').split(',') : [values.get(field) ?? ''];
-    if (!words.every(word => kForms[field].test(word))) return null;
+    const isList = field === 'lengths' || field === 'twists', count = 3 * chosen.genus - 3, text = values.get(field);
+    if (text === null && field === 'name') throw wrong('name', '', 'the name of a surface, such as bolza');
+    if (text === null) chosen.missing.push(field);
+    const usual = isList ? Array(count).fill(field === 'lengths' ? '2' : '0').join(',') : kDefaults[field];
+    const words = isList ? (text ?? usual).split(',') : [text ?? usual];
+    const bad = words.find(word => !kForms[field].test(word));
+    if (bad !== undefined) throw wrong(field, bad, kExpected[field]);
+    if (isList && words.length !== count) throw wrong(field, text, `${count} numbers for genus ${chosen.genus}`);
     chosen[field] = isList ? words : words[0];
   }
-  const count = 3 * chosen.genus - 3;
-  if (surface === 'fenchel-nielsen' && (chosen.lengths.length !== count || chosen.twists.length !== count)) return null;
   return chosen;
 }
 
@@ -54,13 +67,14 @@ export function commandsOf(chosen) {
   return `${first}\nepsnet net s.json --epsilon ${quoted(chosen.epsilon ?? '0.1')}${kind} -o net.json\ncertify net.json`;
 }
 
-// Beyond this a net takes a browser minutes, and gigabytes.
+// Beyond the first a net takes a browser minutes, and gigabytes; beyond the second the program refuses it (docs/using-epsnet.md, "Limits").
 export const kMostVertices = 400000;
-const kGenus = {bolza: 2, klein: 3, 'fermat-quartic': 3, bring: 4, 'fricke-macbeath': 7, 'wiman-3': 3, 'accola-maclachlan-3': 3};
+export const kMostVerticesOfProgram = 26e6;
+const kGenus = {bolza: 2, klein: 3, 'fermat-quartic': 3, bring: 4, 'fricke-macbeath': 7};
 // How many vertices a net has, roughly: 2.15 times the lower bound (docs/design.md), its area over that of a disk of radius ε. Thin parts are not counted.
 export function estimatedVertices(chosen) {
   const [numerator, denominator] = chosen.epsilon.split('/'), epsilon = Number(numerator) / Number(denominator ?? 1);
-  const genus = Number(chosen.genus ?? kGenus[chosen.name] ?? 2);
+  const genus = Number(chosen.genus ?? kGenus[chosen.name] ?? /-([0-9]+)$/.exec(chosen.name)?.[1] ?? 2);
   if (!(epsilon > 0) || !Number.isFinite(genus)) return 0;  // The module says what is wrong.
-  return 2.15 * 4 * Math.PI * (genus - 1) / (2 * Math.PI * (Math.cosh(epsilon) - 1));
+  return 2.15 * (genus - 1) / Math.sinh(epsilon / 2) ** 2;
 }

@@ -1,0 +1,18 @@
+# cmake -DHEADERS=LIST -DFROM=F -DTO=T -P user_headers.cmake: writes the headers of the folder F as users include them to the folder T:
+# "kernel/isometry.h" becomes <epsnet/kernel/isometry.h>, so that a user's folder of the same name cannot hide ours. What has not changed is not written.
+file(GLOB_RECURSE old RELATIVE ${TO} ${TO}/*.h)
+list(REMOVE_ITEM old ${HEADERS})
+foreach(header ${old})
+  file(REMOVE ${TO}/${header})
+endforeach()
+foreach(header ${HEADERS})
+  file(READ ${FROM}/${header} text)
+  string(REGEX REPLACE "#include \"([^\"]*)\"" "#include <epsnet/\\1>" text "${text}")
+  set(before "")
+  if(EXISTS ${TO}/${header})
+    file(READ ${TO}/${header} before)
+  endif()
+  if(NOT text STREQUAL before)
+    file(WRITE ${TO}/${header} "${text}")
+  endif()
+endforeach()

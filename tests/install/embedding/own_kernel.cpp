@@ -1,0 +1,8 @@
+#include <epsnet/epsnet.h>
+
+#include "kernel/isometry.h"
+
+#ifndef OF_THE_PROJECT
+#error "the project's definitions"
+#endif
+static_assert(kOwn == 1);
