@@ -25,8 +25,8 @@ struct DiscreteSpectrum {
   Eigen::MatrixXd vectors;
 };
 
-/// The first `count` of them, 0 included, or all if there are fewer, by Lanczos's method with a shift below 0, with this
-/// order of elimination. Throws NetError if it does not converge.
+/// The first `count` of them, 0 included, or all if there are fewer, by Lanczos's method with a shift below 0, with
+/// this order of elimination. Throws NetError if it does not converge.
 [[nodiscard]] DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices,
                                                  const std::vector<std::uint32_t>& order, std::uint32_t count);
 

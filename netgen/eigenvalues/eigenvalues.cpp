@@ -90,8 +90,7 @@ struct Group {
 
 class Search {
  public:
-  Search(const Surface& surface, const EigenvaluesOptions& options)
-      : surface_(surface), options_(options) {
+  Search(const Surface& surface, const EigenvaluesOptions& options) : surface_(surface), options_(options) {
     set_net(options.epsilon.value_or(epsilon_for(surface.genus(), options)));
   }
 
@@ -224,12 +223,14 @@ class Search {
     // Functions are sought from estimates.
     for (std::size_t k = functions_too ? n - 1 : 0; k < n; ++k)
       widest = std::max(widest, (now.greatest[k] - now.least[k]) / now.least[k]);
-    return widest / (functions_too ? kGreatestError : std::pow(10.0, -options_.digits.value_or(1)));
+    // What matrices say is stated with a margin on both sides.
+    return functions_too ? widest / kGreatestError
+                         : (widest + 2 * kMargin) * std::pow(10.0, options_.digits.value_or(1));
   }
 
   /// Makes triangles so small that enclosures, which are as wide as triangles are large, are narrower by about this
-  /// factor, or some of it. Halving alone may make four times as many as are needed; so the net becomes finer, if it may.
-  /// Returns how often they are to be halved.
+  /// factor, or some of it. Halving alone may make four times as many as are needed; so the net becomes finer, if it
+  /// may. Returns how often they are to be halved.
   [[nodiscard]] std::uint32_t finer(std::uint32_t halvings, double factor) {
     constexpr double kMost = 12;  // Predictions from large triangles are bad.
     constexpr double kRoom = 1.1;
