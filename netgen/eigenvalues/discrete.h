@@ -19,17 +19,15 @@ namespace epsnet {
 [[nodiscard]] certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order,
                                        double sigma, certify::Bound bound, unsigned threads);
 
-/// How many eigenvalues of energy·x = μ mass·x are less than σ, 0 included.
-[[nodiscard]] std::uint32_t count_below(const ElementMatrices& matrices, double sigma, unsigned threads);
-
 /// Eigenvalues in increasing order, and the vectors as columns.
 struct DiscreteSpectrum {
   std::vector<double> values;
   Eigen::MatrixXd vectors;
 };
 
-/// The first `count` of them, 0 included, or all if there are fewer, by Lanczos's method with a shift below 0. Throws
-/// NetError if it does not converge.
-[[nodiscard]] DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices, std::uint32_t count);
+/// The first `count` of them, 0 included, or all if there are fewer, by Lanczos's method with a shift below 0, with
+/// this order of elimination. Throws NetError if it does not converge.
+[[nodiscard]] DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices,
+                                                 const std::vector<std::uint32_t>& order, std::uint32_t count);
 
 }  // namespace epsnet

@@ -90,8 +90,9 @@ struct Group {
 
 class Search {
  public:
-  Search(const Surface& surface, const EigenvaluesOptions& options)
-      : options_(options), document_(net_of(surface, options)), geometry_(document_.net) {}
+  Search(const Surface& surface, const EigenvaluesOptions& options) : surface_(surface), options_(options) {
+    set_net(options.epsilon.value_or(epsilon_for(surface.genus(), options)));
+  }
 
   [[nodiscard]] EigenvaluesDocument result() && {
     const bool functions_too = many_digits(options_);
@@ -108,14 +109,17 @@ class Search {
   }
 
  private:
-  static EigenvaluesDocument net_of(const Surface& surface, const EigenvaluesOptions& options) {
+  void set_net(const Length& epsilon) {
     NetOptions net_options;
-    net_options.threads = options.threads;
-    net_options.progress = options.progress;
-    EigenvaluesDocument document;
-    document.net =
-        compute_net(surface, options.epsilon.value_or(epsilon_for(surface.genus(), options)), net_options).net;
-    return document;
+    net_options.threads = options_.threads;
+    // A second net is a part of making the matrices.
+    net_options.progress = [&](std::string_view what, double share) {
+      geometry_ ? report("matrices", 0) : report(what, share);
+    };
+    certify::NetDocument net = compute_net(surface_, epsilon, net_options).net;
+    geometry_.reset();
+    document_.net = std::move(net);
+    geometry_.emplace(document_.net);
   }
 
   /// Functions around vertices are sought in disks of which λ is no eigenvalue.
@@ -148,13 +152,16 @@ class Search {
           "triangles");
     }
     report("matrices", 0);
-    return {geometry_, halvings};
+    return {*geometry_, halvings};
   }
 
-  /// A level at which so many eigenvalues are told from the others.
+  /// A level at which so many eigenvalues are told from the others, and enclosed as narrowly as is asked for.
   [[nodiscard]] Level separated(bool functions_too) {
     std::vector<double> before;
-    for (std::uint32_t halvings = 0;; ++halvings) {
+    std::uint32_t halvings = 0;
+    // As the last ones may be equal.
+    std::uint32_t more = std::max(8U, options_.count / 4);
+    for (;;) {
       Level now = level(halvings);
       std::uint32_t count = options_.count;
       if (options_.below) {
@@ -162,27 +169,81 @@ class Search {
             inertia(now.upper, now.vertex_order, *options_.below, certify::Bound::lower, options_.threads);
         count = std::max(below.negative, 2U) - 1;
       }
-      // More and more, as the last ones may be equal.
-      const std::uint32_t asked = count + (halvings + 1) * std::max(8U, count / 4);
-      if (now.elements.vertices() < 4 * asked) continue;
-      const DiscreteSpectrum lower = first_eigenvalues(now.lower, asked + 1);
-      DiscreteSpectrum upper = first_eigenvalues(now.upper, asked + 1);
-      for (std::size_t k = 1; k <= asked; ++k) {
-        now.least.push_back(lower.values[k] / (1 + now.interpolation * lower.values[k]));
-        now.greatest.push_back(upper.values[k]);
-        // The error of the matrices is divided by four with each halving.
-        const double above = k <= before.size() ? (4 * upper.values[k] - before[k - 1]) / 3 : upper.values[k];
-        now.estimates.push_back(std::clamp(above, now.least.back(), now.greatest.back()));
+      const std::uint32_t asked = count + more;
+      if (now.elements.vertices() < 4 * asked) {
+        ++halvings;
+        continue;
       }
-      now.vectors = upper.vectors.rightCols(upper.vectors.cols() - 1);
-      if (const auto end = end_of(now, count, functions_too)) {
+      bound(now, asked, before);
+      const auto end = end_of(now, count, functions_too);
+      const double excess = end ? excess_of(now, *end, functions_too) : HUGE_VAL;
+      if (excess <= 1) {
         now.least.resize(*end + 1);
         now.greatest.resize(*end + 1);
         now.estimates.resize(*end + 1);
         return now;
       }
       before = now.greatest;
+      if (!end) {
+        ++halvings;
+        more += std::max(8U, count / 4);
+      } else if (functions_too) {
+        ++halvings;
+      } else {
+        // Those that are told from the others will be so by smaller triangles.
+        more = std::max(static_cast<std::uint32_t>(*end), count) + 2 - count;
+        halvings = finer(halvings, excess);
+      }
     }
+  }
+
+  /// Sets what the matrices of a level say of the first eigenvalues; `before` is at most what those say that were
+  /// halved once less.
+  void bound(Level& now, std::uint32_t asked, const std::vector<double>& before) const {
+    std::array<DiscreteSpectrum, 2> spectra;
+    certify::for_each_parallel(spectra.size(), certify::thread_count(options_.threads), [&](unsigned, std::size_t i) {
+      spectra[i] = i == 0 ? first_eigenvalues(now.lower, now.side_order, asked + 1)
+                          : first_eigenvalues(now.upper, now.vertex_order, asked + 1);
+    });
+    const auto& [lower, upper] = spectra;
+    for (std::size_t k = 1; k <= asked; ++k) {
+      now.least.push_back(lower.values[k] / (1 + now.interpolation * lower.values[k]));
+      now.greatest.push_back(upper.values[k]);
+      // The error of the matrices is divided by four with each halving.
+      const double above = k <= before.size() ? (4 * upper.values[k] - before[k - 1]) / 3 : upper.values[k];
+      now.estimates.push_back(std::clamp(above, now.least.back(), now.greatest.back()));
+    }
+    now.vectors = upper.vectors.rightCols(upper.vectors.cols() - 1);
+  }
+
+  /// How much wider than is asked for the widest of the first n enclosures is.
+  [[nodiscard]] double excess_of(const Level& now, std::size_t n, bool functions_too) const {
+    if (n == 0) return 0;
+    double widest = 0;
+    // Functions are sought from estimates.
+    for (std::size_t k = functions_too ? n - 1 : 0; k < n; ++k)
+      widest = std::max(widest, (now.greatest[k] - now.least[k]) / now.least[k]);
+    // What matrices say is stated with a margin on both sides.
+    return functions_too ? widest / kGreatestError
+                         : (widest + 2 * kMargin) * std::pow(10.0, options_.digits.value_or(1));
+  }
+
+  /// Makes triangles so small that enclosures, which are as wide as triangles are large, are narrower by about this
+  /// factor, or some of it. Halving alone may make four times as many as are needed; so the net becomes finer, if it
+  /// may. Returns how often they are to be halved.
+  [[nodiscard]] std::uint32_t finer(std::uint32_t halvings, double factor) {
+    constexpr double kMost = 12;  // Predictions from large triangles are bad.
+    constexpr double kRoom = 1.1;
+    // Nearly as much as halving once more.
+    constexpr double kByNet = 3;
+    double rest = std::min(options_.epsilon ? factor : kRoom * factor, kMost);
+    for (; rest > (options_.epsilon ? 1 : kByNet); rest /= 4) ++halvings;
+    if (rest > 1) {
+      // A decimal of few digits.
+      constexpr double kDigits = 1e4;
+      set_net(Length(std::floor(geometry_->epsilon().get_d() / std::sqrt(rest) * kDigits) / kDigits));
+    }
+    return halvings;
   }
 
   /// The number of the first eigenvalues that are told from all others: the least one that is enough.
@@ -199,15 +260,7 @@ class Search {
     }
     for (std::size_t n = count; n + 1 < now.least.size(); ++n) {
       const double last = functions_too ? now.estimates[n - 1] * (1 + kError) : now.greatest[n - 1];
-      if (now.least[n] <= last) continue;
-      const double width = std::pow(10.0, -options_.digits.value_or(1));
-      for (std::size_t k = 0; k < n && !functions_too; ++k) {
-        if (now.greatest[k] - now.least[k] > width * now.least[k]) return std::nullopt;
-      }
-      // Functions are sought from estimates.
-      if (functions_too && now.greatest[n - 1] - now.least[n - 1] > kGreatestError * now.least[n - 1])
-        return std::nullopt;
-      return n;
+      if (now.least[n] > last) return n;
     }
     return std::nullopt;
   }
@@ -236,7 +289,7 @@ class Search {
     // Groups in parallel; threads that are left over, in each of them.
     const unsigned threads = certify::thread_count(options_.threads);
     const auto in_each = std::max(1U, threads / static_cast<unsigned>(groups.size()));
-    const LocalFunctions local(geometry_, level.estimates.back(), options_.digits.value_or(9), in_each);
+    const LocalFunctions local(*geometry_, level.estimates.back(), options_.digits.value_or(9), in_each);
     std::size_t done = 0;
     std::mutex reporting;
     certify::for_each_parallel(groups.size(), threads, [&](unsigned, std::size_t i) {
@@ -405,9 +458,10 @@ class Search {
   static constexpr double kError = 0.01;          ///< Relative, of estimates.
   static constexpr double kGreatestError = 0.12;  ///< Between the matrices' bounds.
 
+  const Surface& surface_;
   const EigenvaluesOptions& options_;
   EigenvaluesDocument document_;
-  NetGeometry geometry_;
+  std::optional<NetGeometry> geometry_;  ///< Of the document's net.
 };
 
 }  // namespace

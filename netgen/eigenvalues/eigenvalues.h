@@ -19,7 +19,7 @@ struct EigenvaluesOptions {
   /// About so many significant digits of each eigenvalue, from 1 to 10; 9 by default, and none with `below`. Up to 2,
   /// matrices alone enclose them, which takes much less time than functions.
   std::optional<int> digits = {};
-  std::optional<Length> epsilon = {};  ///< Of the net; by default it is chosen, from 0.05 to 0.6.
+  std::optional<Length> epsilon = {};  ///< Of the net; by default it is chosen, at most 0.6.
   unsigned threads = 0;                ///< 0: as many as the machine has cores. The result is the same for any number.
   Progress progress = {};              ///< Called occasionally, if given.
 };

@@ -179,7 +179,7 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
                    "eigenfunctions, which epsnet draw shows [9; none with --below]")
       ->check(integer_between(1, 10))
       ->option_text("D");
-  command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default from 0.05 to 0.6")
+  command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default at most 0.6")
       ->option_text("E");
   add_file(*command, "-o,--output", shared->output,
            "the eigenvalues file to write, for certify; \"-\" is standard output");

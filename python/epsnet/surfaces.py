@@ -587,7 +587,7 @@ class Surface(Immutable):
         that cannot be told apart from the last one; or, with ``below``, all that are less than this number, at most 10000.
 
         ``digits``: about so many of each, from 1 to 10; by default 9, and with ``below`` 3, and no more than their number needs. Up to 2 take
-        much less time; from 3 on there are eigenfunctions. ``epsilon``: of the net on which they are counted; by default from 0.05 to 0.6.
+        much less time; from 3 on there are eigenfunctions. ``epsilon``: of the net on which they are counted; by default at most 0.6.
 
         NetError if they are not found, LimitError if it takes too many triangles.
 

@@ -29,7 +29,8 @@ class Start {
  public:
   Start(const Surface& surface, const char* epsilon, std::uint32_t count)
       : net_(compute_net(surface, Length(epsilon)).net), geometry_(net_) {
-    const DiscreteSpectrum spectrum = first_eigenvalues(Elements(geometry_, 2).upper(), count + 1);
+    const ElementMatrices matrices = Elements(geometry_, 2).upper();
+    const DiscreteSpectrum spectrum = first_eigenvalues(matrices, elimination_order(matrices.energy), count + 1);
     values_.assign(spectrum.values.begin() + 1, spectrum.values.end());
     vectors_ = spectrum.vectors;
   }
