@@ -228,13 +228,13 @@ class BoundSearch {
 
   /// Makes a triangulation Delaunay at a point by flips; returns the number of the result.
   [[nodiscard]] std::optional<std::uint32_t> delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
-    std::optional<std::uint32_t> d = placed(k, frame, p).not_delaunay();
-    if (!d) return k;
+    std::vector<std::uint32_t> flips = placed(k, frame, p).flips();
+    if (flips.empty()) return k;
     Known next{known_[k].map, k, {}};
     constexpr std::size_t kMostFlips = 5000;
-    for (; d; d = PlacedTriangulation(next.map, frames_[frame], p).not_delaunay()) {
-      next.map.flip(elements_, *d);
-      next.flips.push_back(*d);
+    for (; !flips.empty(); flips = PlacedTriangulation(next.map, frames_[frame], p).flips()) {
+      for (const std::uint32_t d : flips) next.map.flip(elements_, d);
+      next.flips.insert(next.flips.end(), flips.begin(), flips.end());
       if (next.flips.size() > kMostFlips) return std::nullopt;
     }
     const auto [found, is_new] = numbers_.try_emplace(next.map.key(), static_cast<std::uint32_t>(known_.size()));
