@@ -68,18 +68,10 @@ class BoundSearch {
     roots_ = static_cast<std::uint32_t>(cells_.size());
   }
 
+  /// Cuts cells until the bounds are as near to each other as wanted, or a limit is reached.
   void run() {
     double first_gap = 0;
-    // The lower bound of a radius must be positive.
-    constexpr double kLeastRadius = 1e-3;
-    while (upper() - lower() > width_ || (claim_ == Claim::radius && upper() > -kLeastRadius)) {
-      if (cells_.size() >= options_.most_cells || elements_.size() > kMostElements) {
-        const bool negated = claim_ == Claim::radius;  // It is the least eccentricity, the maximum of the negative.
-        const certify::Interval found =
-            negated ? certify::Interval{-upper(), -lower()} : certify::Interval{lower(), upper()};
-        throw NetError("not enclosed to the width wanted with " + std::to_string(cells_.size()) + " cells and " +
-                       std::to_string(elements_.size()) + " edges of triangulations, only by " + to_string(found));
-      }
+    while (!is_narrow() && !at_limit()) {
       const std::uint32_t top = queue_.top().second;
       queue_.pop();
       cut(top);
@@ -88,6 +80,16 @@ class BoundSearch {
         options_.progress("covering", std::log(first_gap / (upper() - lower())) / std::log(first_gap / width_));
       }
     }
+  }
+
+  /// Throws NetError unless the bounds are as near to each other as wanted.
+  void require_narrow() const {
+    if (is_narrow()) return;
+    const bool negated = claim_ == Claim::radius;  // It is the least eccentricity, the maximum of the negative.
+    const certify::Interval found =
+        negated ? certify::Interval{-upper(), -lower()} : certify::Interval{lower(), upper()};
+    throw NetError("not enclosed to the width wanted with " + std::to_string(cells_.size()) + " cells and " +
+                   std::to_string(elements_.size()) + " edges of triangulations, only by " + to_string(found));
   }
 
   [[nodiscard]] double lower() const { return highest_; }
@@ -128,6 +130,15 @@ class BoundSearch {
   }
 
  private:
+  [[nodiscard]] bool is_narrow() const {
+    // The lower bound of a radius must be positive.
+    constexpr double kLeastRadius = 1e-3;
+    return upper() - lower() <= width_ && (claim_ != Claim::radius || upper() <= -kLeastRadius);
+  }
+  [[nodiscard]] bool at_limit() const {
+    return cells_.size() >= options_.most_cells || elements_.size() > kMostElements;
+  }
+
   /// A place of the vertex, with the numbers of a triangulation that is Delaunay there and of a frame nearby.
   struct Site {
     Point point;
@@ -217,13 +228,13 @@ class BoundSearch {
 
   /// Makes a triangulation Delaunay at a point by flips; returns the number of the result.
   [[nodiscard]] std::optional<std::uint32_t> delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
-    std::optional<std::uint32_t> d = placed(k, frame, p).not_delaunay();
-    if (!d) return k;
+    std::vector<std::uint32_t> flips = placed(k, frame, p).flips();
+    if (flips.empty()) return k;
     Known next{known_[k].map, k, {}};
     constexpr std::size_t kMostFlips = 5000;
-    for (; d; d = PlacedTriangulation(next.map, frames_[frame], p).not_delaunay()) {
-      next.map.flip(elements_, *d);
-      next.flips.push_back(*d);
+    for (; !flips.empty(); flips = PlacedTriangulation(next.map, frames_[frame], p).flips()) {
+      for (const std::uint32_t d : flips) next.map.flip(elements_, d);
+      next.flips.insert(next.flips.end(), flips.begin(), flips.end());
       if (next.flips.size() > kMostFlips) return std::nullopt;
     }
     const auto [found, is_new] = numbers_.try_emplace(next.map.key(), static_cast<std::uint32_t>(known_.size()));
@@ -402,12 +413,14 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
   if (!(options.width >= kLeastBoundWidth)) throw std::invalid_argument("the width is less than 1e-12");
   Triangulation base = delaunay_start_of_point(surface, std::nullopt).triangulation;
   {
-    BoundSearch search(base, claim, options, options.width / 4, BoundSearch::Climb::yes);
+    // What it finds is good enough if the second search succeeds, whatever this one is short of.
+    BoundSearch search(base, claim, options, options.width / 2, BoundSearch::Climb::yes);
     search.run();
     move_to(base, search.summit());
   }
   BoundSearch search(base, claim, options, options.width * (1 - 1e-3), BoundSearch::Climb::no);
   search.run();
+  search.require_narrow();
   BoundDocument document;
   document.claim = claim;
   document.net = net_above_eccentricity(base);

@@ -244,13 +244,23 @@ bool PlacedTriangulation::locally_delaunay(std::uint32_t dart, double tie) const
   return cotangent<Number>(dart, sides, tie) + cotangent<Number>(other, sides, tie) >= 0;
 }
 
-std::optional<std::uint32_t> PlacedTriangulation::not_delaunay() const {
+std::vector<std::uint32_t> PlacedTriangulation::flips() const {
   const std::vector<std::uint32_t>& opposite = triangulation_.opposite;
   constexpr double kTie = 1e-100;
+  std::vector<std::uint32_t> candidates;
   for (std::uint32_t d = 0; d < opposite.size(); ++d) {
-    if (d < opposite[d] && d / 3 != opposite[d] / 3 && !locally_delaunay(d, kTie)) return d;
+    if (d < opposite[d] && d / 3 != opposite[d] / 3 && !locally_delaunay(d, kTie)) candidates.push_back(d);
   }
-  return std::nullopt;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](std::uint32_t d, std::uint32_t e) { return displacement_[d] > displacement_[e]; });
+  std::vector<bool> taken(opposite.size() / 3);
+  std::vector<std::uint32_t> result;
+  for (const std::uint32_t d : candidates) {
+    if (taken[d / 3] || taken[opposite[d] / 3]) continue;
+    taken[d / 3] = taken[opposite[d] / 3] = true;
+    result.push_back(d);
+  }
+  return result;
 }
 
 bool PlacedTriangulation::is_strictly_delaunay() const {

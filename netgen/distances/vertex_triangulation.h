@@ -107,8 +107,9 @@ class PlacedTriangulation {
   [[nodiscard]] double shortest_edge() const;
   /// Whether all triangles are counterclockwise.
   [[nodiscard]] bool counterclockwise() const;
-  /// Returns a dart of an edge that is not locally Delaunay and has two different triangles.
-  [[nodiscard]] std::optional<std::uint32_t> not_delaunay() const;
+  /// Returns darts of edges that are not locally Delaunay, no two of them of one triangle, the longest edges first.
+  /// None if the triangulation is Delaunay. All of them flipped at once: a new edge is then a product of few others.
+  [[nodiscard]] std::vector<std::uint32_t> flips() const;
   /// Whether all edges are locally Delaunay and none is nearly a tie.
   [[nodiscard]] bool is_strictly_delaunay() const;
 

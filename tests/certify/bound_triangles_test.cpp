@@ -222,5 +222,29 @@ TEST(BoundTriangles, AreNoTriangulationIfTheirAreasAreTooLarge) {
   EXPECT_EQ(answer(equal_sides(low * (1 + 1e-9)), number(0.1)), Tri::no);
 }
 
+/// Whatever intervals decide, balls decide alike; and they decide what is not close.
+TEST(BoundTriangles, IntervalsDecideAsBallsDo) {
+  const auto exactly = [](double x) { return Interval{x, x}; };
+  int decided = 0;
+  for (const double a : {1e-9, 0.3, 1.0, 5.0}) {
+    for (const double b : {0.25, 1.0, 4.0}) {
+      for (const double c : {0.5, 1.0, 6.0}) {
+        for (const double most : {0.2, 1.0, 4.0 / 3, 6.0, 100.0}) {
+          const std::array<Interval, 3> sides{exactly(a), exactly(b), exactly(c)};
+          const Tri found = fits(SidesIn<Interval>(sides), exactly(most));
+          const Tri expected = fit(triangle(a, b, c), number(most));
+          EXPECT_TRUE(found == expected || found == Tri::unknown) << a << ' ' << b << ' ' << c << ' ' << most;
+          decided += found == Tri::unknown ? 0 : 1;
+        }
+      }
+    }
+  }
+  EXPECT_GT(decided, 160);
+  // One end says nothing.
+  const std::array<Interval, 3> open{everything(), exactly(1), exactly(1)};
+  EXPECT_EQ(fits(SidesIn<Interval>(open), exactly(2)), Tri::unknown);
+  EXPECT_EQ(certainly_less(Interval{1, std::nan("")}, Interval{2, 3}), Tri::unknown);
+}
+
 }  // namespace
 }  // namespace epsnet::certify::bound_triangles_test

@@ -150,6 +150,14 @@ TEST(Radius, HasATieAtTheCentreOfARegularSurface) {
   EXPECT_GT(document.value.upper, 1.9403);
 }
 
+TEST(Radius, IsNotLostForCellsThatWouldOnlyImproveThePlaceOfItsNet) {
+  // With enough cells for the width, and not for the better place that is sought first.
+  const Surface bolza = Surface::regular(2);
+  const BoundDocument document = radius(bolza, {.width = 0.05, .most_cells = 5000});
+  EXPECT_EQ(verdict(document), "VERIFIED");
+  EXPECT_LE(document.value.upper - document.value.lower, 0.05);
+}
+
 TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Surface& surface = test::gallery()[i].surface;

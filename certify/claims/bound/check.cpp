@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "certify/base/counted.h"
 #include "certify/base/interval.h"
 #include "certify/claims/bound/element.h"
+#include "certify/claims/bound/frame.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/claims/net/claim.h"
 #include "certify/lifted/lorentz.h"
@@ -30,6 +32,10 @@ constexpr std::uint64_t kTriangleOperations = 16;
 constexpr std::uint64_t kCutOperations = 12;
 constexpr std::uint64_t kFlipOperations = 40;
 constexpr std::uint64_t kFunctionOperations = 60;
+/// The work of an operation of intervals, and the operations of balls and the bytes for an element in a frame.
+constexpr std::uint64_t kIntervalWork = 5;
+constexpr std::uint64_t kMoveOperations = 12;
+constexpr std::uint64_t kMovedBytes = 128;
 /// And for a triangle at the net's vertex.
 constexpr std::uint64_t kVertexOperations = 150;
 /// Balls that an open cell keeps.
@@ -249,20 +255,25 @@ class BoundCheck {
     };
     spend(kFlipOperations, edges_.size() + products_.size());
     budget_.spend(memory_work(8 * (48 + static_cast<std::uint64_t>(precision_) / 8)), edges_.size() + products_.size());
-    elements_.clear();
+    const NetDocument::Vertex& vertex = document_.net.vertices[0];
+    const BallVector place = unit_vector(identity_isometry(), vertex.x, vertex.y, precision_);
+    std::vector<BallIsometry> edges;
+    Ball shortest_loop;
     for (const std::uint32_t d : edges_) {
-      elements_.push_back(element_of(compose(inverse(label(d)), label(next_dart(d)), precision_), precision_));
+      edges.push_back(compose(inverse(label(d)), label(next_dart(d)), precision_));
+      const Ball length = displacement(element_of(edges.back(), precision_), place, precision_);
+      shortest_loop = edges.size() == 1 ? length : min(shortest_loop, length);
     }
-    const auto value = [&](std::uint32_t id) {
-      const BallIsometry& isometry = looked_up(elements_, id / 2, "there is no element").isometry;
-      return id % 2 == 0 ? isometry : inverse(isometry);
-    };
-    for (const Product& product : products_) {
-      elements_.push_back(element_of(compose(value(product.first), value(product.second), precision_), precision_));
+    elements_.emplace(place, shortest_loop, precision_);
+    ids_.clear();
+    for (BallIsometry& g : edges) ids_.push_back(elements_->add(std::move(g)));
+    for (const auto& [first, second] : products_) {
+      const BallIsometry product =
+          compose(elements_->isometry(id_of(first)), elements_->isometry(id_of(second)), precision_);
+      ids_.push_back(elements_->add(product));
     }
     most_ = sqr(sinh(Ball::exactly(document_.value.upper)));
     // The triangles of the net, in the chart of the vertex.
-    const NetDocument::Vertex& vertex = document_.net.vertices[0];
     triangles_.assign(darts_ / 3, {});
     for (std::uint32_t d = 0; d < darts_; ++d) {
       triangles_[d / 3].corner[d % 3] = unit_vector(label(d), vertex.x, vertex.y, precision_);
@@ -287,6 +298,7 @@ class BoundCheck {
         options_.progress("cells", static_cast<double>(t) / static_cast<double>(triangles_.size()));
       }
       Outcome& outcome = outcomes[t];
+      Frames frames(precision_);
       std::vector<Cell> open{triangles_[t]};
       for (const std::uint32_t entry : document_.cells[t]) {
         const Cell cell = std::move(open.back());
@@ -299,10 +311,12 @@ class BoundCheck {
           open.push_back(std::move(parts[0]));
           continue;
         }
-        const Tri within = both(outcome.within, is_bounded(cell, entry - 3));
+        const Tri within = both(outcome.within, is_bounded(cell, entry - 3, frames));
         if (within != outcome.within) outcome.cell = outcome.cells;
         outcome.within = within;
         ++outcome.cells;
+        // The others are asked with more bits.
+        if (within == Tri::unknown && precision_ < options_.max_precision) break;
       }
     });
     std::size_t cells = 0;
@@ -331,71 +345,131 @@ class BoundCheck {
     return looked_up(maps_, number, "there is no triangulation");
   }
 
-  /// sinh²(d/2) for the edge of an element at a point.
-  [[nodiscard]] Ball displacement(std::uint32_t id, const BallVector& p) const {
-    return certify::displacement(looked_up(elements_, id / 2, "there is no element"), p, precision_);
+  /// The element of a number in the maps, which counts equal products as different ones.
+  [[nodiscard]] Elements::Id id_of(std::uint32_t number) const {
+    return looked_up(ids_, number / 2, "there is no element") ^ (number % 2);
   }
 
-  /// The same of every dart.
-  [[nodiscard]] std::vector<Ball> displacements(const Map& map, const BallVector& p) const {
-    std::vector<Ball> h(darts_);
+  /// The arithmetic in which cells are asked: balls.
+  struct InBalls {
+    using Number = Ball;
+    const BoundCheck& check;
+
+    void spend(std::uint64_t operations, std::uint64_t times = 1) const { check.spend(operations, times); }
+    [[nodiscard]] static const Ball& number(const Ball& x) { return x; }
+    /// sinh²(d/2) for the edge of an element at a point.
+    [[nodiscard]] auto displacement_at(const BallVector& p) const {
+      return [this, &p](std::uint32_t number) {
+        return displacement(check.elements_->element(check.id_of(number)), p, check.precision_);
+      };
+    }
+  };
+
+  /// Intervals, which decide nearly all.
+  struct InIntervals {
+    using Number = Interval;
+    const BoundCheck& check;
+    Frames& frames;
+
+    void spend(std::uint64_t operations, std::uint64_t times = 1) const {
+      check.budget_.spend(kIntervalWork * operations, times);
+    }
+    [[nodiscard]] static Interval number(const Ball& x) { return fast_interval(x); }
+    [[nodiscard]] auto displacement_at(const BallVector& p) const {
+      check.spend(kMoveOperations, frames.size() + 1);
+      Frame& frame = frames.near(p);
+      return [this, &frame, place = frame.point(p)](std::uint32_t number) {
+        const Elements::Id id = check.id_of(number);
+        const std::size_t before = frame.elements();
+        const Interval result = frame.displacement(id / 2, check.elements_->element(id), place);
+        if (frame.elements() > before) {
+          check.spend(kMoveOperations);
+          check.budget_.spend(memory_work(kMovedBytes));
+        }
+        return result;
+      };
+    }
+  };
+
+  [[nodiscard]] Tri is_bounded(const Cell& cell, std::uint32_t by, Frames& frames) const {
+    if (options_.filter) {
+      const Tri answer = is_bounded(cell, by, InIntervals{*this, frames});
+      if (answer != Tri::unknown) return answer;
+    }
+    return is_bounded(cell, by, InBalls{*this});
+  }
+
+  template <class Arithmetic>
+  [[nodiscard]] Tri is_bounded(const Cell& cell, std::uint32_t by, const Arithmetic& arithmetic) const {
+    switch (document_.claim) {
+      case Claim::diameter:
+        return is_bounded_by_triangulation(cell, by, arithmetic);
+      case Claim::radius:
+        return is_bounded_from_midpoint(cell, by / 3, by % 3, arithmetic);
+      case Claim::embedded_disk:
+        return is_bounded_by_edge(cell, by, arithmetic);
+    }
+    return Tri::unknown;
+  }
+
+  /// sinh²(d/2) of every dart at a point.
+  template <class Arithmetic>
+  [[nodiscard]] auto displacements(const Map& map, const BallVector& p, const Arithmetic& arithmetic) const {
+    const auto displacement = arithmetic.displacement_at(p);
+    std::vector<typename Arithmetic::Number> h(darts_);
     for (std::uint32_t d = 0; d < darts_; ++d) {
       const std::uint32_t e = map.opposite[d];
-      if (d < e) h[d] = displacement(map.element[d], p);
+      if (d < e) h[d] = displacement(map.element[d]);
       if (d > e) h[d] = h[e];
     }
     return h;
   }
 
-  [[nodiscard]] Tri is_bounded(const Cell& cell, std::uint32_t by) const {
-    switch (document_.claim) {
-      case Claim::diameter:
-        return is_bounded_by_triangulation(cell, by);
-      case Claim::radius:
-        return is_bounded_from_midpoint(cell, by / 3, by % 3);
-      case Claim::embedded_disk:
-        return is_bounded_by_edge(cell, by);
-    }
-    return Tri::unknown;
-  }
-
   /// At the midpoint of a side, the triangulation is Delaunay, and its largest circumradius is at least LO more than
   /// the distance to any point of the cell.
-  [[nodiscard]] Tri is_bounded_from_midpoint(const Cell& cell, std::uint32_t by, std::uint32_t side) const {
+  template <class Arithmetic>
+  [[nodiscard]] Tri is_bounded_from_midpoint(const Cell& cell, std::uint32_t by, std::uint32_t side,
+                                             const Arithmetic& arithmetic) const {
     const Map& map = map_at(by);
     spend(kCutOperations + 2 * kFunctionOperations);
-    spend(kEdgeOperations + 2 * kTriangleOperations, darts_ / 2);
-    spend(kFunctionOperations, darts_ / 3);
+    arithmetic.spend(kEdgeOperations + 2 * kTriangleOperations, darts_ / 2);
+    arithmetic.spend(kFunctionOperations, darts_ / 3);
     const Cell half = halves(cell, side)[0];
     const std::uint32_t end = (side + 1) % 3;
     // No point of the cell is farther from the midpoint than a corner is.
     const Ball reach = acosh(max(half.cosh[side], half.cosh[end]));
-    const Ball least = sqr(sinh(Ball::exactly(document_.value.lower) + reach));
-    return is_delaunay_and_wide(map.opposite, displacements(map, half.corner[end]), least);
+    const auto least = arithmetic.number(sqr(sinh(Ball::exactly(document_.value.lower) + reach)));
+    const std::vector<typename Arithmetic::Number> h = displacements(map, half.corner[end], arithmetic);
+    return is_delaunay_and_wide(map.opposite, h, least);
   }
 
   /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1, which is implied (docs/proof.md, section 12).
-  [[nodiscard]] Tri is_bounded_by_edge(const Cell& cell, std::uint32_t by) const {
-    spend(kEdgeOperations, 3);
+  template <class Arithmetic>
+  [[nodiscard]] Tri is_bounded_by_edge(const Cell& cell, std::uint32_t by, const Arithmetic& arithmetic) const {
+    arithmetic.spend(kEdgeOperations, 3);
+    const auto most = arithmetic.number(most_);
     Tri within = Tri::yes;
     Tri moves = Tri::unknown;
     for (const BallVector& p : cell.corner) {
-      const Ball h = displacement(map_at(by / darts_).element[by % darts_], p);
+      const auto h = arithmetic.displacement_at(p)(map_at(by / darts_).element[by % darts_]);
       if (certainly_positive(h) == Tri::yes) moves = Tri::yes;
-      within = both(within, !certainly_less(most_, h));
+      within = both(within, !certainly_less(most, h));
     }
     return both(within, moves);
   }
 
   /// At the corners of the cell, every triangle lies in a disk of radius hi.
-  [[nodiscard]] Tri is_bounded_by_triangulation(const Cell& cell, std::uint32_t by) const {
+  template <class Arithmetic>
+  [[nodiscard]] Tri is_bounded_by_triangulation(const Cell& cell, std::uint32_t by,
+                                                const Arithmetic& arithmetic) const {
     const Map& map = map_at(by);
-    spend(3 * (kEdgeOperations + kTriangleOperations), darts_ / 2);
+    arithmetic.spend(3 * (kEdgeOperations + kTriangleOperations), darts_ / 2);
+    const auto most = arithmetic.number(most_);
     Tri result = Tri::yes;
     for (const BallVector& p : cell.corner) {
-      const std::vector<Ball> h = displacements(map, p);
+      const std::vector<typename Arithmetic::Number> h = displacements(map, p, arithmetic);
       for (std::uint32_t d = 0; d < darts_ && result != Tri::no; d += 3) {
-        result = both(result, fits(Sides(&h[d], 3), most_));
+        result = both(result, fits(SidesIn<typename Arithmetic::Number>(&h[d], 3), most));
       }
     }
     return result;
@@ -411,8 +485,9 @@ class BoundCheck {
   std::uint32_t darts_;
   std::vector<Map> maps_;
   std::vector<std::uint32_t> edges_;  ///< The net's: a dart of each.
-  std::vector<Product> products_;     ///< Element edges_.size() + k is product k.
-  std::vector<Element> elements_;
+  std::vector<Product> products_;     ///< Number edges_.size() + k is product k.
+  std::optional<Elements> elements_;
+  std::vector<Elements::Id> ids_;  ///< By number.
   std::vector<Cell> triangles_;
   Ball most_;  ///< sinh² of the upper bound.
   slong precision_ = kFirstPrecision;
