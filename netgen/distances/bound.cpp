@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "certify/check.h"
 #include "netgen/distances/distances.h"
 #include "netgen/distances/vertex_triangulation.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/start.h"
+#include "netgen/prove/certified.h"
 #include "triangulation/mesh/operations.h"
 
 namespace epsnet {
@@ -426,10 +426,7 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
   document.net = net_above_eccentricity(base);
   // Lengths are rounded a few times; certify proves the result, with its own bounds of the value at the vertex.
   constexpr double kRounding = 2e-15;
-  const certify::Certificate certificate = certify::check(document.net);
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw NetError("the triangulation with one vertex was not verified: " + certify::verdict_line(certificate));
-  }
+  const certify::Certificate certificate = proof_of(document.net);
   if (claim == BoundDocument::Claim::radius) {
     const double proved = certificate.enclosures->largest_circumradius.upper;
     // The bound of a cell is a difference of two lengths, each at most the diameter.

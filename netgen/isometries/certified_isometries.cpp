@@ -1,11 +1,10 @@
 #include <random>
 #include <utility>
 
-#include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/isometries/check_options.h"
 #include "netgen/isometries/exact_conjugacy.h"
 #include "netgen/isometries/isometries.h"
+#include "netgen/prove/certified.h"
 #include "netgen/surfaces/group.h"
 
 namespace epsnet {
@@ -126,8 +125,10 @@ CertifiedIsometries certified_isometries(const Surface& surface, const IsometryG
                                          const IsometryOptions& options) {
   constexpr int kMostTries = 5;
   constexpr double kStep = 0.5;
+  constexpr long kMostBits = 1024;
   CertifiedIsometries result{document_of(surface, group), {}};
-  const certify::CheckOptions check = check_options(options);
+  certify::CheckOptions check = own_check(options.threads, options.progress);
+  check.max_precision = kMostBits;
   static_cast<certify::GeodesicsDocument&>(result.document) = group.geodesics();
   for (int tries = 1;; ++tries) {
     result.certificate = certify::check(result.document, check);

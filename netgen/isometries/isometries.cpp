@@ -13,11 +13,11 @@
 #include "certify/check.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/isometries/check_options.h"
 #include "netgen/isometries/exact_conjugacy.h"
 #include "netgen/isometries/homology.h"
 #include "netgen/isometries/length_spectra.h"
 #include "netgen/isometries/lifted_tiles.h"
+#include "netgen/prove/certified.h"
 #include "netgen/surfaces/group.h"
 
 namespace epsnet {
@@ -315,8 +315,10 @@ Length list_length(const Surface& surface, const IsometryOptions& options) {
 
 /// Whether the certifier verifies spectra.
 bool are_verified(const std::vector<certify::GeodesicsDocument>& spectra, const IsometryOptions& options) {
+  certify::CheckOptions check = own_check(options.threads, options.progress);
+  check.max_precision = 1024;
   return std::all_of(spectra.begin(), spectra.end(), [&](const certify::GeodesicsDocument& spectrum) {
-    return certify::check(spectrum, check_options(options)).verdict == certify::Verdict::verified;
+    return certify::check(spectrum, check).verdict == certify::Verdict::verified;
   });
 }
 

@@ -13,6 +13,7 @@
 #include "netgen/nets/sparse.h"
 #include "netgen/nets/start.h"
 #include "netgen/nets/triangulated_net.h"
+#include "netgen/prove/certified.h"
 
 namespace epsnet {
 namespace {
@@ -73,10 +74,7 @@ UncertifiedNet compute_net(const Surface& surface, const Length& epsilon, const 
 
 CertifiedNet certified_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
   UncertifiedNet net = compute_net(surface, epsilon, options);
-  certify::Certificate certificate = certify::check(net.net, options.check);
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw NetError("the net was not verified: " + certify::verdict_line(certificate));
-  }
+  certify::Certificate certificate = proof_of(net.net, options.check);
   return {std::move(net.net), std::move(certificate), net.statistics};
 }
 

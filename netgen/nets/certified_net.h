@@ -12,8 +12,8 @@
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
 #include "netgen/base/options.h"
+#include "netgen/prove/certified.h"
 #include "triangulation/mesh/walk.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 /// ε-nets: how they are computed and proved, their options, and statistics of the computation.
@@ -117,12 +117,6 @@ template <class Option, std::size_t N>
 [[nodiscard]] constexpr std::string_view name(Walk walk) { return name_in(kWalkNames, walk); }
 /// "A" to "D".
 [[nodiscard]] constexpr std::string_view name(TriangleList list) { return name_in(kTriangleListNames, list); }
-
-/// No net was found that could be proved; what() says why. The surface and ε are valid.
-class NetError : public Error {
- public:
-  using Error::Error;
-};
 
 /// Two given points are not farther than ε from each other.
 class ClosePointsError : public NetError {

@@ -7,23 +7,14 @@
 #include <sstream>
 
 #include "certify/base/text.h"
-#include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/start.h"
+#include "netgen/prove/certified.h"
 
 namespace epsnet {
 namespace {
-
-certify::Certificate verified(const certify::NetDocument& triangulation) {
-  certify::Certificate certificate = certify::check(triangulation);
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw NetError("the triangulation dual to the Dirichlet domain was not verified: " +
-                   certify::verdict_line(certificate));
-  }
-  return certificate;
-}
 
 /// Returns the word of the element that takes the start of a dart to its end, composed of verified words without any
 /// numbers.
@@ -68,7 +59,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
 
   DirichletPolygon polygon;
   polygon.triangulation = net_document(triangulation, Length(std::floor(largest_circumradius) + 2));
-  const std::vector<std::uint32_t> ties = verified(polygon.triangulation).ties;
+  const std::vector<std::uint32_t> ties = proof_of(polygon.triangulation).ties;
   polygon.ties = static_cast<std::uint32_t>(ties.size());
   std::map<Dart, std::uint32_t> side_of;
   for (std::size_t k = 0; k < n; ++k) {

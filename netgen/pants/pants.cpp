@@ -6,12 +6,12 @@
 #include <numeric>
 #include <utility>
 
-#include "certify/check.h"
 #include "netgen/base/gmp.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/cuff_coordinates.h"
 #include "netgen/pants/curve_system.h"
+#include "netgen/prove/certified.h"
 
 namespace epsnet {
 namespace {
@@ -61,13 +61,7 @@ PantsDecomposition proved(const Surface& surface, Pieces pieces, const PantsOpti
   NetOptions of_net;
   of_net.threads = options.threads;
   result.document = document_of(result, compute_net(surface, Length(kEpsilon), of_net).net);
-  certify::CheckOptions check;
-  check.threads = options.threads;
-  check.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
-  result.certificate = certify::check(result.document, check);
-  if (result.certificate.verdict != certify::Verdict::verified) {
-    throw NetError("not certified: " + certify::verdict_line(result.certificate));
-  }
+  result.certificate = proof_of(result.document, own_check(options.threads));
   return result;
 }
 

@@ -1,11 +1,9 @@
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/distances.h"
@@ -14,6 +12,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
+#include "netgen/prove/certified.h"
 #include "netgen/surfaces/surface_file.h"
 
 namespace epsnet::program {
@@ -46,13 +45,10 @@ Where where(const certify::NetDocument& net, bool with_farthest) {
     const DirichletPolygon domain = dirichlet_polygon(surface, result.p);
     result.farthest = farthest_points(surface, domain);
     result.distance = distance(surface, result.p, domain, result.farthest.front());
-    certify::CheckOptions options;
-    options.max_work = std::numeric_limits<std::uint64_t>::max();  // It was made here.
-    const certify::Certificate certificate = certify::check(*result.distance, options);
-    if (certificate.verdict != certify::Verdict::verified) {
-      result.distance.reset();
-      write_left_out({"the distance of p and q: " + certify::verdict_line(certificate)});
-    }
+    (void)proof_of(*result.distance);
+  } catch (const NotCertifiedError& error) {
+    result.distance.reset();
+    write_left_out({std::string("the distance of p and q: ") + error.what()});
   } catch (const Error& error) {
     write_left_out({std::string("the points farthest from p: ") + error.what()});
   }
@@ -98,7 +94,6 @@ void enclose(const BoundRequest& request, MakeBound make) {
   if (!(width >= kLeastBoundWidth)) throw UsageError("--width: less than the least width, 1e-12");
   const Surface surface = read_surface_input(request.surface);
   certify::BoundDocument document;
-  certify::Certificate certificate;
   {
     ProgressLine progress;
     BoundOptions options;
@@ -108,13 +103,7 @@ void enclose(const BoundRequest& request, MakeBound make) {
   }
   {
     ProgressLine progress;
-    certify::CheckOptions options;
-    options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
-    options.progress = progress.shower("certificate: ");
-    certificate = certify::check(document, options);
-  }
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
+    (void)proof_of(document, own_check(0, progress.shower()));
   }
   const Where found = where(document.net, document.claim != certify::BoundDocument::Claim::embedded_disk);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
@@ -161,10 +150,7 @@ void measure_eccentricity(const EccentricityRequest& request) {
                                                {"--svg", request.svg, FileType::svg}});
   const SurfaceOrNet input = read_surface_or_net(request.surface);
   const certify::NetDocument net = eccentricity_net(input.surface, parse_point("P", request.p, input));
-  const certify::Certificate certificate = certify::check(net);
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
-  }
+  const certify::Certificate certificate = proof_of(net);
   const Where found = where(net, true);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of_eccentricity(net));
   write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net, request.output, out); }},

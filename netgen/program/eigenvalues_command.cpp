@@ -1,4 +1,3 @@
-#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -6,7 +5,6 @@
 #include <utility>
 
 #include "certify/base/text.h"
-#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/eigenvalues/eigenvalues.h"
@@ -14,6 +12,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
+#include "netgen/prove/certified.h"
 
 /// The command eigenvalues: the first eigenvalues of the Laplacian in intervals, with their proof.
 namespace epsnet::program {
@@ -118,7 +117,6 @@ void find_eigenvalues(const EigenvaluesRequest& request) {
   EigenvaluesOptions options = options_of(request);
   const Surface surface = read_surface_input(request.surface);
   EigenvaluesDocument document;
-  certify::Certificate certificate;
   {
     ProgressLine progress;
     options.progress = progress.shower();
@@ -126,14 +124,7 @@ void find_eigenvalues(const EigenvaluesRequest& request) {
   }
   {
     ProgressLine progress;
-    certify::CheckOptions check_options;
-    check_options.threads = request.threads;
-    check_options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
-    check_options.progress = progress.shower("certificate: ");
-    certificate = certify::check(document, check_options);
-  }
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
+    (void)proof_of(document, own_check(request.threads, progress.shower()));
   }
   const std::string svg = request.svg.empty() ? "" : draw_svg(picture_of(document));
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},

@@ -1,11 +1,9 @@
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
 
-#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
@@ -13,6 +11,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
+#include "netgen/prove/certified.h"
 
 /// The commands systole, spectrum and thick-thin: lists of closed geodesics, each with its proof.
 namespace epsnet::program {
@@ -105,19 +104,6 @@ Json geodesics_json(const GeodesicsDocument& document) {
   return result;
 }
 
-/// Throws JobError unless every rule is verified.
-void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
-  ProgressLine progress;
-  certify::CheckOptions options;
-  options.threads = threads;
-  options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the list was made here.
-  options.progress = progress.shower("certificate: ");
-  const certify::Certificate certificate = certify::check(document, options);
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
-  }
-}
-
 void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
   check_files({{"SURFACE", request.surface}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
@@ -132,7 +118,8 @@ void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
   Report report{"verdict: not certified (--no-certify): nothing is proved\n",
                 Json::object({{"verdict", "not certified"}})};
   if (!request.no_certify) {
-    certify_geodesics(document, request.threads);
+    ProgressLine progress;
+    (void)proof_of(document, own_check(request.threads, progress.shower()));
     report = {"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   }
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));

@@ -20,6 +20,7 @@
 #include "netgen/program/help.h"
 #include "netgen/program/output.h"
 #include "netgen/program/parse_error.h"
+#include "netgen/prove/certified.h"
 #include "triangulation/surface/error.h"
 
 /// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and describes files.
@@ -137,6 +138,8 @@ int run(int argc, char** argv) {
     return fail(kExitFailed, "not enough memory");
   } catch (const UndecidedError& error) {
     return fail(kExitUndecided, error.what());
+  } catch (const NotCertifiedError& error) {
+    return fail(kExitFailed, std::string(error.what()) + "; nothing was written");
   } catch (const Error& error) {
     return fail(kExitFailed, error.what());
   } catch (const certify::FileError& error) {

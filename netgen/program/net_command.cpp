@@ -22,6 +22,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
+#include "netgen/prove/certified.h"
 
 namespace epsnet::program {
 namespace {
@@ -185,15 +186,9 @@ UncertifiedNet compute(const Surface& surface, const Length& epsilon, NetOptions
   return compute_net(surface, epsilon, options);
 }
 
-/// Returns the certificate of a net. Throws JobError unless it is verified.
-certify::Certificate certify_net(const certify::NetDocument& net, certify::CheckOptions options) {
+certify::Certificate certify_net(const certify::NetDocument& net, unsigned threads) {
   ProgressLine progress;
-  options.progress = progress.shower("certificate: ");
-  certify::Certificate certificate = certify::check(net, options);
-  if (certificate.verdict != certify::Verdict::verified) {
-    throw JobError("no certified net: " + certify::verdict_line(certificate) + "; nothing was written");
-  }
-  return certificate;
+  return proof_of(net, own_check(threads, progress.shower()));
 }
 
 void check_request(const NetRequest& request) {
@@ -242,7 +237,7 @@ void make_net(const NetRequest& request) {
   const double computed = processor_seconds();
   times.computing = watch.lap();
   certify::Certificate certificate;
-  if (!request.no_certify) certificate = certify_net(net.net, request.options.check);
+  if (!request.no_certify) certificate = certify_net(net.net, request.options.threads);
   Report report = request.no_certify ? uncertified_report(net.net) : certificate_report(certificate);
   const NetSeconds seconds{computed - start, processor_seconds() - computed};
   times.certifying = watch.lap();
@@ -336,7 +331,7 @@ void add_net_command(CLI::App& app, Job& chosen) {
       ->option_text("A|B|C|D");
   net->add_flag("--stats", request.stats, "also print the measurements of the thesis, and times");
   add_json(*net, request.json);
-  add_threads(*net, request.options.check.threads);
+  add_threads(*net, request.options.threads);
   net->footer(
       "Example:\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg && certify net.json\n\n"
@@ -347,7 +342,6 @@ void add_net_command(CLI::App& app, Job& chosen) {
         throw CLI::ValidationError("--locate", "a cavity needs no walk; use --insert flips");
       shared->options.insertion = Insertion::flips;
     }
-    shared->options.threads = shared->options.check.threads;
     chosen = [shared] { make_net(*shared); };
   });
 }

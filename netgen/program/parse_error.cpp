@@ -97,8 +97,10 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   // Unknown names are reported first, as a mistyped option is also a missing one.
   const std::vector<std::string> commands = command_names(command);
   for (const std::string& word : command.remaining()) {
-    if (!commands.empty() && !word.starts_with('-'))
-      return where + "unknown command " + in_double_quotes(word) + suggestion(word, commands) + kHelp;
+    if (commands.empty() || word.starts_with('-')) continue;
+    const std::string meant = suggestion(word, commands);
+    return where + "unknown command " + in_double_quotes(word) +
+           (meant.empty() ? "; expected " + listed(commands) : meant) + kHelp;
   }
   for (const std::string& word : command.remaining()) {
     if (word.size() > 1 && word.front() == '-' && word != "--") {

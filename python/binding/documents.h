@@ -1,12 +1,12 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <string>
 
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
 #include "netgen/pictures/net_pictures.h"
+#include "netgen/prove/certified.h"
 #include "python/binding/binding.h"
 #include "python/binding/job.h"
 
@@ -22,11 +22,11 @@ struct Shared {
   const Document* operator->() const { return document.get(); }
 };
 
-/// What a check is asked for. What was made here may take what it takes; a file only what one of its size may.
-[[nodiscard]] inline certify::CheckOptions check_options(unsigned threads, bool unlimited, const Progress& progress) {
+/// How a check is done: of what was made here, or of a file, which may take only the work that one of its size may.
+[[nodiscard]] inline certify::CheckOptions check_options(unsigned threads, bool own, const Progress& progress) {
+  if (own) return own_check(threads, progress);
   certify::CheckOptions options;
   options.threads = threads;
-  if (unlimited) options.max_work = std::numeric_limits<std::uint64_t>::max();
   options.progress = progress;
   return options;
 }

@@ -735,7 +735,8 @@ meant --up-to spectrum s.json --up_to=3
 meant --genus surface fenchel-nielsen --genuss 2
 meant --json info s.json --jsn
 meant --help --hlep
-bad 64 '^epsnet: unknown command "nonsense" (try --help)$' nonsense
+bad 64 '^epsnet: unknown command "nonsense"; expected surface, net, import-net, .* or convert (try --help)$' nonsense
+bad 64 '^epsnet: surface: unknown command "genus"; expected octagon, fenchel-nielsen, .* or import (try --help)$' surface genus 3
 bad 64 '^epsnet: net: unknown option "--wholly-else" (try --help)$' net s.json --wholly-else
 bad 64 'net: one argument too many, "extra"' net s.json extra --epsilon 0.5 -o out/x.json
 bad 64 '--epsilon: given more than once' net s.json --epsilon 0.5 --epsilon 0.4 -o out/x.json

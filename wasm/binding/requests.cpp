@@ -33,6 +33,7 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/net_pictures.h"
 #include "netgen/pictures/pictures.h"
+#include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
@@ -152,7 +153,7 @@ NetDocument net_of(const Members& members) { return certify::parse_file<NetDocum
 struct CheckRequest {
   std::string name = kFile;  ///< Of the file in the certificate.
   bool exact = false;        ///< Ask the second checker about files of any size.
-  bool unlimited = false;    ///< For what was made here.
+  bool own = false;          ///< For what was made here.
 };
 
 certify::program::FileReport check(const std::string& bytes, const CheckRequest& how, const Progress& progress) {
@@ -161,9 +162,9 @@ certify::program::FileReport check(const std::string& bytes, const CheckRequest&
   if (file == nullptr || std::fclose(file) != 0 || !written) throw std::bad_alloc();
   certify::program::Request request;
   request.exact = how.exact;
+  if (how.own) request.options = own_check(1, progress);
   request.options.threads = 1;
   request.options.progress = progress;
-  if (how.unlimited) request.options.max_work = std::numeric_limits<std::uint64_t>::max();
   certify::program::FileReport report = certify::program::check_file(request, kFile);
   std::remove(kFile);
   report.path = how.name;
@@ -187,7 +188,7 @@ std::string text_of(const certify::program::FileReport& report) {
 /// {"certificate": …, MEMBERS}, with the file and the text of the certificate. Throws NetError unless it is verified.
 Answer proved(const ClaimDocument& document, Json members, const Progress& progress) {
   std::string text = text_of(document);
-  const certify::program::FileReport report = check(text, {.unlimited = true}, progress);
+  const certify::program::FileReport report = check(text, {.own = true}, progress);
   if (exit_code(report) != certify::program::kExitVerified) {
     throw NetError("not certified: " + (report.error.empty() ? verdict_line(report, "") : report.error));
   }
