@@ -56,7 +56,7 @@ std::vector<Item> collect(const NetDocument& document, std::size_t first, std::s
   return items;
 }
 
-/// Those of all darts.
+/// The equations of all darts.
 std::vector<Item> collect(const NetDocument& document, unsigned threads) {
   std::set<Equation> seen;
   std::vector<Item> items;

@@ -125,7 +125,7 @@ class LiftedTriangle {
 ///
 /// Both quantities are nonnegative by what they are, so ends below 0 count as 0.
 [[nodiscard]] Interval quotient(const Ball& numerator, const Ball& denominator);
-/// The same of intervals: n/d.
+/// The quotient of two enclosures.
 [[nodiscard]] Interval quotient(Interval n, Interval d);
 
 /// From an interval of sinh² of a length to one of `factor` times the length, outward.

@@ -208,7 +208,6 @@ inline Ball& operator+=(Ball& x, const Ball& y) { return x = x + y; }
   arb_pow_ui(result.get(), x.get(), exponent, Precision::bits());
   return result;
 }
-[[nodiscard]] inline Ball cot(const Ball& x) { return ball_of(arb_cot, x); }
 [[nodiscard]] inline Ball asinh(const Ball& x) { return ball_of(arb_asinh, x); }
 /// Not finite unless x ≥ 1 is certain.
 [[nodiscard]] inline Ball acosh(const Ball& x) { return ball_of(arb_acosh, x); }

@@ -80,7 +80,7 @@ class Refinement {
       if (!triangulation_.triangle(t).marked()) {
         continue;
       }
-      if (!kLargeAlone && !is_to_go(t)) {
+      if (!kLargeAlone && !needs_its_centre(t)) {
         unmark(triangulation_, t);
         continue;
       }
@@ -107,13 +107,13 @@ class Refinement {
   [[nodiscard]] bool is_large(TriangleId t) { return triangulation_.compare_circumradius(t, large_) > 0; }
 
   /// Whether the circumcentre of t is to be inserted: t is large and not in the annulus of a collar.
-  [[nodiscard]] bool is_to_go(TriangleId t) {
+  [[nodiscard]] bool needs_its_centre(TriangleId t) {
     return is_large(t) && !(collars_ != nullptr && collars_->has_triangle(t));
   }
 
-  /// Puts a new triangle on the list; if the list is for large triangles only, just those that `is_to_go` accepts.
+  /// Puts a new triangle on the list; if the list is for large triangles only, just those that `needs_its_centre` accepts.
   void enter(TriangleId t) {
-    if (!kLargeAlone || is_to_go(t)) {
+    if (!kLargeAlone || needs_its_centre(t)) {
       mark(triangulation_, t);
       push({&t, 1});
     }
@@ -179,7 +179,7 @@ class Refinement {
     statistics_.insertions += result.insertions;
     statistics_.flips += result.flips;
     for (const TriangleId t : result.pending) {
-      if (is_to_go(t)) {
+      if (needs_its_centre(t)) {
         push({&t, 1});
       } else {
         unmark(triangulation_, t);

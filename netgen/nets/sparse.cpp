@@ -92,12 +92,12 @@ class SparseRefinement {
   /// Removes vertices that are closer than a multiple of ε to others, and returns how many.
   std::uint32_t thin(const Rational& factor) {
     const Threshold apart(epsilon_.value() * factor / 2);
-    const auto goes = [&](Dart d) {
+    const auto contracts = [&](Dart d) {
       const Corner from = triangulation_.corner(d);
       const Corner to = triangulation_.corner(next_dart(d));
       return from.vertex != kept_ && triangulation_.compare_distance(from, to, apart) <= 0;
     };
-    const std::uint32_t removed = contract_all(triangulation_, goes);
+    const std::uint32_t removed = contract_all(triangulation_, contracts);
     statistics_.removed += removed;
     statistics_.flips += make_delaunay(triangulation_);
     return removed;

@@ -10,11 +10,11 @@
 namespace epsnet {
 namespace {
 
-/// Contracts the darts for which `goes` is true, moving their starts into their ends, if these are different vertices.
-template <class Goes>
+/// Contracts the darts for which `contracts` is true, moving their starts into their ends, if these are different vertices.
+template <class Contracts>
 class Reduction {
  public:
-  Reduction(Triangulation& triangulation, const Goes& goes) : triangulation_(triangulation), goes_(goes) {}
+  Reduction(Triangulation& triangulation, const Contracts& contracts) : triangulation_(triangulation), contracts_(contracts) {}
 
   std::uint32_t run() {
     const std::uint32_t vertices = triangulation_.vertex_count();
@@ -44,7 +44,7 @@ class Reduction {
     for (TriangleId t(0); t.number() < triangulation_.triangle_count(); ++t) {
       for (std::uint32_t i = 0; i < 3 && t.number() < triangulation_.triangle_count(); ++i) {
         const Dart d = make_dart(t, i);
-        if (from(d) != to(d) && goes_(d)) {
+        if (from(d) != to(d) && contracts_(d)) {
           if (const std::optional<Dart> merged = contract(triangulation_, d)) {
             restore(*merged);
             changed = true;
@@ -58,7 +58,7 @@ class Reduction {
   [[nodiscard]] std::optional<Dart> remaining() {
     for (const TriangleId t : triangulation_.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
-        if (const Dart d = make_dart(t, i); from(d) != to(d) && goes_(d)) {
+        if (const Dart d = make_dart(t, i); from(d) != to(d) && contracts_(d)) {
           return d;
         }
       }
@@ -100,7 +100,7 @@ class Reduction {
   }
 
   Triangulation& triangulation_;
-  const Goes& goes_;
+  const Contracts& contracts_;
   std::vector<Dart> pending_;
 };
 
@@ -203,19 +203,19 @@ DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector
 }
 
 std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& apart) {
-  const auto goes = [&](Dart d) { return too_close(triangulation, d, apart); };
-  return Reduction(triangulation, goes).run();
+  const auto contracts = [&](Dart d) { return too_close(triangulation, d, apart); };
+  return Reduction(triangulation, contracts).run();
 }
 
 std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart, Collars& collars) {
-  const auto goes = [&](Dart d) {
+  const auto contracts = [&](Dart d) {
     return !collars.has_vertex(triangulation.corner(d).vertex) &&
            (too_close(triangulation, d, apart) || collars.core_at(d).has_value());
   };
   std::uint32_t removed = 0;
   // While it is moved, a vertex may enter another collar.
   while (handle_collars(triangulation, collars)) {
-    removed += Reduction(triangulation, goes).run();
+    removed += Reduction(triangulation, contracts).run();
   }
   return removed;
 }

@@ -55,7 +55,7 @@ Where where(const certify::NetDocument& net, bool with_farthest) {
   return result;
 }
 
-/// What is not an interval here is exact, p, or rounded to multiples of 2⁻¹⁰⁰, q.
+/// p is exact, q is rounded to multiples of 2⁻¹⁰⁰; everything else is an interval.
 void add_where(Report& report, const Where& where) {
   report.text += "p: " + point_text(where.p) + '\n';
   report.json["p"] = point_json(where.p);

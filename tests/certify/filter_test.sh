@@ -1,5 +1,6 @@
 #!/bin/sh
-# filter_test.sh CERTIFY DATA: certify prints the same for every file with and without the filter, byte for byte.
+# filter_test.sh CERTIFY DATA: certify prints the same for every file with and without the filter, byte for byte; but for the
+# work of bound files, whose cells are asked in intervals of binary64 first.
 certify=$1
 data=$2
 folder=$(mktemp -d)
@@ -13,6 +14,7 @@ while IFS= read -r file; do
   with=$?
   "$certify" --json --no-filter "$file" >"$folder/without" 2>&1
   [ "$with" = "$?" ] || echo "$file: other exit codes"
+  if grep -q '"epsnet-bound"' "$file"; then sed -i 's/"work": [0-9]*//' "$folder/with" "$folder/without"; fi
   if ! cmp -s "$folder/with" "$folder/without"; then
     echo "$file: with and without the filter differ"
     failures=$((failures + 1))

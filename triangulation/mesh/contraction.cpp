@@ -123,21 +123,21 @@ std::optional<Dart> merge(Triangulation& triangulation, Dart d) {
 
 /// The numbers of what stays, counted in order.
 template <class I>
-ById<I, I> numbers_without(const ById<I, bool>& goes) {
-  ById<I, I> result(goes.size());
+ById<I, I> numbers_without(const ById<I, bool>& removed) {
+  ById<I, I> result(removed.size());
   I next(0);
-  for (const I i : goes.ids()) {
+  for (const I i : removed.ids()) {
     result[i] = next;
-    if (!goes[i]) ++next;
+    if (!removed[i]) ++next;
   }
   return result;
 }
 
 template <class I, class T>
-void erase(ById<I, T>& values, const ById<I, bool>& goes) {
+void erase(ById<I, T>& values, const ById<I, bool>& removed) {
   I end(0);
-  for (const I i : goes.ids()) {
-    if (goes[i]) continue;
+  for (const I i : removed.ids()) {
+    if (removed[i]) continue;
     values[end] = values[i];
     ++end;
   }
@@ -162,7 +162,7 @@ std::optional<Dart> contract(Triangulation& triangulation, Dart d) {
   return left;
 }
 
-std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& goes) {
+std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& contracts) {
   ById<VertexId, bool> vertex_goes(triangulation.vertex_count());
   ById<TriangleId, bool> triangle_goes(triangulation.triangle_count());
   for (const TriangleId t : triangulation.triangles()) {
@@ -170,7 +170,7 @@ std::uint32_t contract_all(Triangulation& triangulation, const std::function<boo
       const Dart d = make_dart(t, i);
       const VertexId v = triangulation.corner(d).vertex;
       const TriangleId across = triangle_of(triangulation.opposite(d));
-      if (v != triangulation.corner(next_dart(d)).vertex && goes(d) && merge(triangulation, d)) {
+      if (v != triangulation.corner(next_dart(d)).vertex && contracts(d) && merge(triangulation, d)) {
         vertex_goes[v] = true;
         triangle_goes[t] = true;
         triangle_goes[across] = true;

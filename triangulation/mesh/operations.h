@@ -92,10 +92,10 @@ struct InsertedVertex {
                                                             std::uint32_t most_steps = kAnySteps,
                                                             Journal* journal = nullptr);
 
-/// Contracts every dart for which `goes`, asked in the order of triangles, says yes, where that can be done, as
+/// Contracts every dart for which `contracts`, asked in the order of triangles, says yes, where that can be done, as
 /// `contract`; vertices and triangles that are left keep their order. Returns the number of vertices removed. The
 /// triangulation need not be Delaunay before or after. O(n) in all, but for the degrees of vertices.
-std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& goes);
+std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& contracts);
 
 /// Gives triangles and vertices numbers in the order in which a breadth-first search from a triangle at vertex 0, which
 /// keeps its number, meets them: what is near on the surface is near in memory. Nothing else changes. O(n).
