@@ -3,6 +3,7 @@ BEGIN { FS = "\t" }
 { if (!($1 in seen)) { seen[$1] = 1; command[++n] = $1 } }
 $2 == "subcommand" { words[$1] = words[$1] " " $3 }
 $2 == "positional" { files[$1] = 1 }
+$2 == "value" { words[$1] = words[$1] " " $3 }
 $2 == "option" {
   split($3, part, / /)
   gsub(/,/, " ", part[1])
@@ -47,7 +48,7 @@ END {
     print "    \"" c "\")"
     if (values[c] != "") print "      case $before in\n" values[c] "      esac"
     if (words[c] != "") print "      [[ $word == -* ]] || { _epsnet_words \"" substr(words[c], 2) "\"; return; }"
-    if (files[c] || (words[c] == "" && options[c] == "")) print "      [[ $word == -* ]] || { _epsnet_files; return; }"
+    if (words[c] == "" && (files[c] || options[c] == "")) print "      [[ $word == -* ]] || { _epsnet_files; return; }"
     if (options[c] != "") print "      _epsnet_words \"" substr(options[c], 2) "\""
     print "      ;;"
   }

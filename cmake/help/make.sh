@@ -23,9 +23,20 @@ rows() {
   done
 }
 
+# values COMMAND WORD...: rows of what an argument of the command may be, as its help does not list it.
+values() {
+  command=$1
+  shift
+  printf 'value\t%s\n' "$@" >>"$out/rows/$(echo "$command" | tr ' ' '-')"
+}
+
 for path in "$@"; do
   name=$(basename "$path")
   rows "$path" "$name"
+  if [ "$name" = epsnet ]; then
+    values "epsnet help" $(awk -F '\t' '$1 == "subcommand" { print $2 }' "$out/rows/epsnet")
+    values "epsnet surface named" $("$path" surface named --list | grep '^[^ ]')
+  fi
   for shell in bash zsh; do
     prefix=
     [ $shell = bash ] || prefix=_

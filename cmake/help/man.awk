@@ -36,7 +36,10 @@ END {
   print escaped(about)
   title_of["positional"] = "ARGUMENTS"; title_of["option"] = "OPTIONS"; title_of["subcommand"] = "COMMANDS"
   for (i = 1; i <= n; ++i) {
-    if (kind[i] in title_of) {
+    if (kind[i] == "group" && head[i] != "Subcommands") {
+      section(title_of["subcommand"])
+      print ".SS " escaped(head[i])
+    } else if (kind[i] in title_of) {
       section(title_of[kind[i]])
       h = head[i]
       required = sub(/ REQUIRED$/, "", h)

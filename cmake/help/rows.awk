@@ -1,4 +1,5 @@
-# The text of --help as rows KIND<tab>HEAD<tab>TEXT. Kinds: about, usage, positional, option, subcommand (a head and its text); example (a line, its
+# The text of --help as rows KIND<tab>HEAD<tab>TEXT. Kinds: about, usage, positional, option, subcommand (a head and its text); group (the name of the
+# subcommands that follow); example (a line, its
 # spaces kept); note (a line; empty between paragraphs).
 function trim(s) { sub(/^ +/, "", s); sub(/ +$/, "", s); return s }
 function row(kind, head, text) { printf "%s\t%s\t%s\n", kind, head, text }
@@ -9,10 +10,14 @@ END {
     l = line[i]
     if (l ~ /^Usage: /) {
       row("usage", "", substr(l, 8))
-    } else if (l ~ /^(Positionals|Options|Subcommands):$/) {
+    } else if (l ~ /^(Positionals|Options):$/) {
       section = tolower(substr(l, 1, length(l) - 2))
     } else if (l ~ /^Examples?:$/) {
       section = "example"
+    } else if (l ~ /^[A-Z][a-z ]*:$/ && line[i + 1] ~ /^  [a-z]/) {
+      # A group of commands, under a name of its own.
+      section = "subcommand"
+      row("group", substr(l, 1, length(l) - 1), "")
     } else if (section == "about") {
       if (l != "") { row("about", "", l); about = 1 } else if (about) section = "note"
     } else if (section == "example") {

@@ -15,6 +15,7 @@ BEGIN { FS = "\t" }
 { if (!($1 in seen)) { seen[$1] = 1; command[++n] = $1 } }
 $2 == "subcommand" { words[$1] = words[$1] " '" $3 ":" described($4) "'" }
 $2 == "positional" { files[$1] = 1 }
+$2 == "value" { values[$1] = values[$1] " " $3 }
 $2 == "option" {
   split($3, part, / /)
   count = split(part[1], name, /,/)
@@ -54,7 +55,8 @@ END {
       print "      return"
       print "    fi"
     }
-    print "    _arguments" specs[c] (files[c] || specs[c] == "" ? " \\\n        '*:file:_files'" : "")
+    if (values[c] != "") specs[c] = specs[c] " \\\n        '*:value:(" substr(values[c], 2) ")'"
+    print "    _arguments" specs[c] (values[c] == "" && files[c] || specs[c] == "" ? " \\\n        '*:file:_files'" : "")
     print "    ;;"
   }
   print "esac"

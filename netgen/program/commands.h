@@ -54,6 +54,7 @@ void add_view_command(CLI::App& app, Job& chosen);
 void add_info_command(CLI::App& app, Job& chosen);
 void add_export_command(CLI::App& app, Job& chosen);
 void add_convert_command(CLI::App& app, Job& chosen);
+void add_help_command(CLI::App& app, Job& chosen);
 
 // Options that several commands have.
 

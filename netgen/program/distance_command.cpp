@@ -74,7 +74,8 @@ void add_distance_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<DistanceRequest>();
   DistanceRequest& request = *shared;
   CLI::App* command = app.add_subcommand(
-      "distance", "The distance between two points, enclosed and proved, and all shortest geodesics between them.");
+      "distance",
+      "The distance between two points of a surface, enclosed and proved, and all shortest geodesics between them.");
   add_input(*command, "SURFACE", request.surface, kSurfaceHelp);
   add_point(*command, "P", request.p, kPointHelp);
   add_point(*command, "Q", request.q, "the other point");

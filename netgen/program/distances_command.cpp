@@ -147,7 +147,8 @@ void tabulate(const DistancesRequest& request) {
 void add_distances_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<DistancesRequest>();
   DistancesRequest& request = *shared;
-  CLI::App* command = app.add_subcommand("distances", "Distances between the vertices of a net, as a table.");
+  CLI::App* command =
+      app.add_subcommand("distances", "A table of the distances between many vertices of a net, rounded or in bounds.");
   add_input(*command, "NET", request.net, "a net file; first its triangles are proved to triangulate the surface");
   add_file(*command, "-o,--output", request.output,
            "the table to write: .npy, an array of NumPy with a row for each vertex of --from and a column for each of "

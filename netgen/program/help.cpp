@@ -1,8 +1,16 @@
 #include "netgen/program/help.h"
 
 #include <algorithm>
+#include <memory>
+#include <ostream>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "netgen/program/commands.h"
+#include "netgen/program/output.h"
+#include "netgen/program/parse_error.h"
 
 namespace epsnet::program {
 namespace {
@@ -37,6 +45,21 @@ std::string wrapped_line(std::string_view line) {
   return result;
 }
 
+/// Returns the help of the command of these names, such as {"surface", "octagon"}; that of `app` if there are none.
+/// Throws UsageError if there is no such command.
+std::string help_of(const CLI::App& app, const std::vector<std::string>& names) {
+  const CLI::App* command = &app;
+  std::string full_name = app.get_name();
+  for (const std::string& name : names) {
+    const auto found = command->get_subcommands([&](const CLI::App* inner) { return inner->get_name() == name; });
+    if (found.empty()) throw UsageError(unknown_command_message(app, *command, name));
+    command = found.front();
+    full_name += ' ' + name;
+  }
+  // Not App::help, which prints the help of the command that is running.
+  return app.get_formatter()->make_help(command, full_name, CLI::AppFormatMode::Normal);
+}
+
 }  // namespace
 
 std::string wrapped_help(std::string_view help) {
@@ -52,6 +75,16 @@ std::string wrapped_help(std::string_view help) {
 
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
   return wrapped_help(CLI::Formatter::make_help(app, std::move(name), mode));
+}
+
+void add_help_command(CLI::App& app, Job& chosen) {
+  const auto names = std::make_shared<std::vector<std::string>>();
+  CLI::App* help = app.add_subcommand("help", "Print the help of a command, as COMMAND --help does, or this text.");
+  help->add_option("COMMAND", *names, "the command, as in surface octagon")->option_text("...");
+  help->footer("Example:\n  epsnet help net\n  epsnet help surface octagon");
+  help->callback([&app, &chosen, names] {
+    chosen = [&app, names] { write_stdout([&](std::ostream& out) { out << help_of(app, *names); }); };
+  });
 }
 
 }  // namespace epsnet::program

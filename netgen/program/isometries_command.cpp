@@ -182,7 +182,8 @@ void add_isometries_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<IsometriesRequest>();
   CLI::App* command = app.add_subcommand(
       "isometries",
-      "The isometry group of a surface: its order, proved, and its elements by what they do with the generators.");
+      "The isometries of one surface with itself: the order of their group, proved, and its elements by what they do "
+      "with the generators.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   add_file(*command, "-o,--output", shared->output,
            "the isometries file to write, for certify; \"-\" is standard output");
@@ -197,8 +198,8 @@ void add_isometries_command(CLI::App& app, Job& chosen) {
 
 void add_isometric_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<IsometriesRequest>();
-  CLI::App* command =
-      app.add_subcommand("isometric", "Whether two surfaces are isometric: an isometry, or what tells them apart.");
+  CLI::App* command = app.add_subcommand(
+      "isometric", "Whether two surfaces are isometric: an isometry between them, or what tells them apart.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   add_input(*command, "OTHER", shared->other, kSurfaceHelp);
   add_file(

@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 #include <unistd.h>
+#include <vector>
 
 #include "certify/base/fault.h"
 #include "certify/file/reader.h"
@@ -76,6 +77,31 @@ void limit_memory() {
   (void)setrlimit(RLIMIT_AS, &limit);
 }
 
+/// Adds the commands, in groups and in the order of --help.
+void add_commands(CLI::App& app, Job& chosen) {
+  struct Group {
+    const char* name;
+    std::vector<void (*)(CLI::App&, Job&)> commands;
+  };
+  const std::vector<Group> groups = {
+      {"Surfaces", {add_surface_command, add_pants_command, add_dirichlet_command}},
+      {"Nets", {add_net_command, add_import_net_command, add_locate_command}},
+      {"Lengths and distances",
+       {add_systole_command, add_spectrum_command, add_thick_thin_command, add_distance_command, add_distances_command,
+        add_eccentricity_command, add_diameter_command, add_radius_command, add_embedded_disk_command}},
+      {"Spectrum and symmetries", {add_eigenvalues_command, add_isometries_command, add_isometric_command}},
+      {"Files and pictures",
+       {add_info_command, add_draw_command, add_view_command, add_export_command, add_convert_command,
+        add_help_command}},
+  };
+  for (const Group& group : groups) {
+    for (const auto add : group.commands) {
+      add(app, chosen);
+      app.get_subcommands([](const CLI::App*) { return true; }).back()->group(group.name);
+    }
+  }
+}
+
 int run(int argc, char** argv) {
   Job chosen;
   CLI::App app(
@@ -86,29 +112,7 @@ int run(int argc, char** argv) {
   app.formatter(std::make_shared<HelpFormatter>());
   // 0: an unknown command is then named; a missing one is found below.
   app.require_subcommand(0, 1);
-  add_surface_command(app, chosen);
-  add_net_command(app, chosen);
-  add_import_net_command(app, chosen);
-  add_systole_command(app, chosen);
-  add_spectrum_command(app, chosen);
-  add_thick_thin_command(app, chosen);
-  add_dirichlet_command(app, chosen);
-  add_distance_command(app, chosen);
-  add_locate_command(app, chosen);
-  add_distances_command(app, chosen);
-  add_eccentricity_command(app, chosen);
-  add_diameter_command(app, chosen);
-  add_radius_command(app, chosen);
-  add_embedded_disk_command(app, chosen);
-  add_eigenvalues_command(app, chosen);
-  add_isometries_command(app, chosen);
-  add_isometric_command(app, chosen);
-  add_pants_command(app, chosen);
-  add_draw_command(app, chosen);
-  add_view_command(app, chosen);
-  add_info_command(app, chosen);
-  add_export_command(app, chosen);
-  add_convert_command(app, chosen);
+  add_commands(app, chosen);
   app.set_version_flag("--version", "epsnet " EPSNET_VERSION);
   app.footer(
       "Example:\n"

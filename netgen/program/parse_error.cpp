@@ -91,16 +91,22 @@ constexpr const char* kHelp = " (try --help)";
 
 }  // namespace
 
+std::string unknown_command_message(const CLI::App& app, const CLI::App& command, const std::string& word) {
+  const std::vector<std::string> commands = command_names(command);
+  const std::string where = place(app, command);
+  if (commands.empty()) return where + "one argument too many, " + in_double_quotes(word) + kHelp;
+  const std::string meant = suggestion(word, commands);
+  return where + "unknown command " + in_double_quotes(word) +
+         (meant.empty() ? "; expected " + listed(commands) : meant) + kHelp;
+}
+
 std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);
   const std::string where = place(app, command);
   // Unknown names are reported first, as a mistyped option is also a missing one.
-  const std::vector<std::string> commands = command_names(command);
+  const bool has_commands = !command_names(command).empty();
   for (const std::string& word : command.remaining()) {
-    if (commands.empty() || word.starts_with('-')) continue;
-    const std::string meant = suggestion(word, commands);
-    return where + "unknown command " + in_double_quotes(word) +
-           (meant.empty() ? "; expected " + listed(commands) : meant) + kHelp;
+    if (has_commands && !word.starts_with('-')) return unknown_command_message(app, command, word);
   }
   for (const std::string& word : command.remaining()) {
     if (word.size() > 1 && word.front() == '-' && word != "--") {

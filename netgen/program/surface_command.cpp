@@ -24,114 +24,40 @@
 namespace epsnet::program {
 namespace {
 
-struct SurfaceRequest {
+/// The options that all kinds of surfaces have.
+struct SurfaceOutput {
+  std::string output;
+  bool json = false;
+};
+
+void add_surface_output(CLI::App& command, SurfaceOutput& request) {
+  add_output(command, request.output, "the surface file to write");
+  add_json(command, request.json);
+}
+
+/// Lets the command do the work `make(request)`.
+template <class Request>
+void set_work(CLI::App& command, Job& chosen, const std::shared_ptr<Request>& request, void (*make)(const Request&)) {
+  command.callback([&chosen, request, make] { chosen = [request, make] { make(*request); }; });
+}
+
+/// Throws as check_files does.
+void check_surface_files(const std::vector<InputFile>& inputs, const SurfaceOutput& request) {
+  check_files(inputs, {{"--output", request.output, FileType::json}});
+}
+
+void write_surface_file(const Surface& surface, const SurfaceOutput& request) {
+  const certify::SurfaceDocument document = to_document(surface);
+  write_output(request.output, [&](std::ostream& out) { certify::write_file(document, out); });
+  if (request.json) write_report(facts_report(surface_info(surface)), true, is_stdout(request.output));
+}
+
+// ---- octagon ----
+
+struct OctagonRequest : SurfaceOutput {
   std::optional<std::int32_t> seed;
   std::string coordinates;
-  std::uint32_t genus = 0;
-  std::string name;
-  bool list = false;
-  std::string file;
-  ExchangeFormat format = ExchangeFormat::automatic;
-  std::string output;
-  bool json = false;
 };
-
-void write_surface_file(const Surface& surface, const std::string& output, bool json) {
-  const certify::SurfaceDocument document = to_document(surface);
-  write_output(output, [&](std::ostream& out) { certify::write_file(document, out); });
-  if (json) write_report(facts_report(surface_info(surface)), true, is_stdout(output));
-}
-
-struct FenchelNielsenCommand {
-  FenchelNielsenRequest request;
-  std::string file;
-  std::string output;
-  bool json = false;
-};
-
-/// Runs `make` and attributes its errors to the file, if there is one, otherwise to the command line. `of_file` returns
-/// whether a member of the request comes from the file.
-template <class Make, class OfFile>
-auto blaming_the_source(const std::string& file, const OfFile& of_file, const Make& make) {
-  try {
-    return make();
-  } catch (const FenchelNielsenRequestError& error) {
-    if (!file.empty() && of_file(error.member())) throw JobError(file + ": " + error.what());
-    if (error.member().empty()) throw UsageError(error.what());
-    throw UsageError((error.member() == "graph" ? "--pants-graph" : "--" + error.member()) + ": " + error.problem());
-  } catch (const CoordinateError& error) {
-    if (!file.empty() && of_file(error.member())) throw JobError(file + ": " + error.what());
-    throw UsageError("--" + error.member() + ": " + error.what());
-  }
-}
-
-void make_fenchel_nielsen(FenchelNielsenCommand command) {
-  check_files({{"--from", command.file}}, {{"--output", command.output, FileType::json}});
-  FenchelNielsenRequest& request = command.request;
-  for (std::string& length : request.lengths) length = with_leading_zero(length);
-  for (std::string& twist : request.twists) twist = with_leading_zero(twist);
-  const FenchelNielsenRequest given = request;
-  const auto of_file = [&](const std::string& member) {
-    return !((member == "graph" && !given.graph.empty()) || (member == "genus" && given.genus) ||
-             (member == "seed" && given.seed) || (member == "lengths" && !given.lengths.empty()) ||
-             (member == "twists" && !given.twists.empty()));
-  };
-  const std::string name = command.file == "-" ? "standard input" : command.file;
-  const Surface surface = blaming_the_source(name, of_file, [&] {
-    if (!command.file.empty()) {
-      request = parse_fenchel_nielsen(read_text_input(command.file).text);
-      // The command line takes precedence over the file.
-      if (!given.graph.empty()) request.graph = given.graph;
-      if (given.genus) request.genus = given.genus;
-      if (given.seed) request.seed = given.seed;
-      if (!given.lengths.empty()) request.lengths = given.lengths;
-      if (!given.twists.empty()) request.twists = given.twists;
-    }
-    return fenchel_nielsen_surface(resolve(request));
-  });
-  write_surface_file(surface, command.output, command.json);
-}
-
-void make_regular(const SurfaceRequest& request) {
-  check_files({}, {{"--output", request.output, FileType::json}});
-  write_surface_file(Surface::regular(request.genus), request.output, request.json);
-}
-
-void list_named_surfaces() {
-  write_stdout([](std::ostream& out) {
-    for (const NamedSurface& surface : named_surfaces()) {
-      out << surface.name << "\n  " << surface.description << "\n  " << surface.source << ".\n";
-    }
-  });
-}
-
-void make_named(const SurfaceRequest& request) {
-  if (request.list) return list_named_surfaces();
-  if (request.name.empty()) throw UsageError("surface named: expected NAME or --list (try --help)");
-  if (request.output.empty()) throw UsageError("--output is required");
-  check_files({}, {{"--output", request.output, FileType::json}});
-  const Surface surface = [&] {
-    try {
-      return named_surface(request.name);
-    } catch (const SurfaceError& error) {
-      throw UsageError(std::string("NAME: ") + error.what());
-    }
-  }();
-  write_surface_file(surface, request.output, request.json);
-}
-
-void make_map(const SurfaceRequest& request) {
-  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
-  const TextInput input = read_text_input(request.file);
-  const Surface surface = [&] {
-    try {
-      return surface_of_map(parse_map(input.text));
-    } catch (const SurfaceError& error) {
-      throw JobError(input.name + ": " + error.what());
-    }
-  }();
-  write_surface_file(surface, request.output, request.json);
-}
 
 using Octagon = std::array<Complex<Rational>, 4>;
 
@@ -179,33 +105,219 @@ Surface octagon_of(const std::string& coordinates) {
   }
 }
 
-void make_octagon(const SurfaceRequest& request) {
+void make_octagon(const OctagonRequest& request) {
   if (!request.seed && request.coordinates.empty())
     throw UsageError("surface octagon: expected --seed or --coordinates (try --help)");
-  check_files({}, {{"--output", request.output, FileType::json}});
-  write_surface_file(request.seed ? random_octagon(*request.seed) : octagon_of(request.coordinates), request.output,
-                     request.json);
+  check_surface_files({}, request);
+  write_surface_file(request.seed ? random_octagon(*request.seed) : octagon_of(request.coordinates), request);
 }
 
-void import_surface_text(const SurfaceRequest& request) {
-  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
-  const TextInput input = read_text_input(request.file);
-  write_surface_file(import_surface(input.text, input.name, request.format), request.output, request.json);
+void add_octagon(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<OctagonRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "octagon",
+      "A surface of genus 2 from a symmetric octagon: random, the same as CGAL 6.1 makes from that seed, or given.");
+  CLI::Option* seed =
+      command->add_option("--seed", request->seed, "a 32-bit integer; the same seed gives the same surface")
+          ->option_text("N");
+  command
+      ->add_option("--coordinates", request->coordinates,
+                   "the octagon z0, z1, z2, z3, -z0, -z1, -z2, -z3, counterclockwise, opposite sides glued; exact "
+                   "decimals or fractions. If it does not close up, the error names a z3 for which it does")
+      ->excludes(seed)
+      ->option_text("X0,Y0,...,X3,Y3");
+  add_surface_output(*command, *request);
+  command->footer(
+      "Example:\n"
+      "  epsnet surface octagon --seed 123 -o s.json\n"
+      "  epsnet surface octagon --coordinates 5/6,0,3/5,3/5,0,5/6,-3/5,3/5 -o s.json");
+  set_work(*command, chosen, request, make_octagon);
 }
 
-struct TwistRequest {
+// ---- fenchel-nielsen ----
+
+struct FenchelNielsenCommand : SurfaceOutput {
+  FenchelNielsenRequest coordinates;
+  std::string file;
+};
+
+/// Runs `make` and attributes its errors to the file, if there is one, otherwise to the command line. `of_file` returns
+/// whether a member of the request comes from the file.
+template <class Make, class OfFile>
+auto blaming_the_source(const std::string& file, const OfFile& of_file, const Make& make) {
+  try {
+    return make();
+  } catch (const FenchelNielsenRequestError& error) {
+    if (!file.empty() && of_file(error.member())) throw JobError(file + ": " + error.what());
+    if (error.member().empty()) throw UsageError(error.what());
+    throw UsageError((error.member() == "graph" ? "--pants-graph" : "--" + error.member()) + ": " + error.problem());
+  } catch (const CoordinateError& error) {
+    if (!file.empty() && of_file(error.member())) throw JobError(file + ": " + error.what());
+    throw UsageError("--" + error.member() + ": " + error.what());
+  }
+}
+
+void make_fenchel_nielsen(const FenchelNielsenCommand& command) {
+  check_surface_files({{"--from", command.file}}, command);
+  FenchelNielsenRequest request = command.coordinates;
+  for (std::string& length : request.lengths) length = with_leading_zero(length);
+  for (std::string& twist : request.twists) twist = with_leading_zero(twist);
+  const FenchelNielsenRequest given = request;
+  const auto of_file = [&](const std::string& member) {
+    return !((member == "graph" && !given.graph.empty()) || (member == "genus" && given.genus) ||
+             (member == "seed" && given.seed) || (member == "lengths" && !given.lengths.empty()) ||
+             (member == "twists" && !given.twists.empty()));
+  };
+  const std::string name = command.file == "-" ? "standard input" : command.file;
+  const Surface surface = blaming_the_source(name, of_file, [&] {
+    if (!command.file.empty()) {
+      request = parse_fenchel_nielsen(read_text_input(command.file).text);
+      // The command line takes precedence over the file.
+      if (!given.graph.empty()) request.graph = given.graph;
+      if (given.genus) request.genus = given.genus;
+      if (given.seed) request.seed = given.seed;
+      if (!given.lengths.empty()) request.lengths = given.lengths;
+      if (!given.twists.empty()) request.twists = given.twists;
+    }
+    return fenchel_nielsen_surface(resolve(request));
+  });
+  write_surface_file(surface, command);
+}
+
+void add_fenchel_nielsen(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<FenchelNielsenCommand>();
+  CLI::App* command = surface.add_subcommand(
+      "fenchel-nielsen",
+      "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. Missing values "
+      "are drawn with the seed: lengths between 1 and 4, any twist.");
+  command->add_option("--genus", request->coordinates.genus, "2 or more; not needed with a list of edges")
+      ->option_text("G");
+  command->add_option("--seed", request->coordinates.seed, "0 to 2^64 - 1; the same seed gives the same surface")
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->option_text("N");
+  command
+      ->add_option("--pants-graph", request->coordinates.graph,
+                   "a trivalent graph: its edges as in \"0-1 0-1 0-1\", a node for each pair of pants, or one of the "
+                   "named ones")
+      ->option_text("chain|ring|tree|random|EDGES [random]");
+  command
+      ->add_option("--lengths", request->coordinates.lengths,
+                   "the lengths of the cuffs, in the order of the edges, or one for all")
+      ->delimiter(',')
+      ->option_text("L,L,...");
+  command
+      ->add_option("--twists", request->coordinates.twists,
+                   "the twists as hyperbolic lengths, or one for all; a full turn is the length of the cuff")
+      ->delimiter(',')
+      ->option_text("T,T,...");
+  add_file(*command, "--from", request->file,
+           "a JSON object with members graph, genus, seed, lengths, twists; options take precedence over it; \"-\" is "
+           "standard input");
+  add_surface_output(*command, *request);
+  command->footer(
+      "Example:\n"
+      "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
+      "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" \\\n"
+      "    --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
+      "The foot of the common perpendicular with the next cuff is a mark on each cuff of a pair of pants. With twist 0 "
+      "the two marks meet. docs/fenchel-nielsen.md has the conventions.");
+  set_work(*command, chosen, request, make_fenchel_nielsen);
+}
+
+// ---- regular ----
+
+struct RegularRequest : SurfaceOutput {
+  std::uint32_t genus = 0;
+};
+
+void make_regular(const RegularRequest& request) {
+  check_surface_files({}, request);
+  write_surface_file(Surface::regular(request.genus), request);
+}
+
+void add_regular(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<RegularRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "regular", "The regular 4g-gon with opposite sides glued, exactly, without rational rounding: Bolza for g = 2.");
+  command->add_option("--genus", request->genus, "2 to 1000")
+      ->required()
+      ->check(integer_between(2, 1000))
+      ->option_text("G REQUIRED");
+  add_surface_output(*command, *request);
+  command->footer("Example:\n  epsnet surface regular --genus 2 -o bolza.json");
+  set_work(*command, chosen, request, make_regular);
+}
+
+// ---- cover ----
+
+struct CoverRequest : SurfaceOutput {
+  std::string surface;
+  std::string permutations;
+  std::optional<std::uint32_t> degree;
+  std::optional<std::uint64_t> seed;
+};
+
+void make_cover(const CoverRequest& request) {
+  if (request.permutations.empty() && !(request.degree && request.seed))
+    throw UsageError("surface cover: expected --permutations, or --degree and --seed (try --help)");
+  check_surface_files({{"SURFACE", request.surface}, {"--permutations", request.permutations}}, request);
+  const Surface base = read_surface_input(request.surface);
+  if (request.permutations.empty()) {
+    write_surface_file(cover(base, random_sheets(base, *request.degree, *request.seed)), request);
+    return;
+  }
+  const TextInput input = read_text_input(request.permutations);
+  try {
+    write_surface_file(cover(base, parse_permutations(input.text)), request);
+  } catch (const CoverError& error) {
+    throw JobError(input.name + ": " + error.what());
+  }
+}
+
+void add_cover(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<CoverRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "cover", "An unbranched cover of a surface, connected: given by permutations of its sheets, or random.");
+  add_input(*command, "SURFACE", request->surface, kSurfaceHelp);
+  CLI::Option* permutations =
+      add_file(*command, "--permutations", request->permutations,
+               "a JSON array of permutations, one for each pair of sides of the fundamental polygon, as in [[1,0],...] "
+               "(docs/covers.md); \"-\" is standard input");
+  command
+      ->add_option("--degree", request->degree,
+                   "the number of sheets of a random cover, 1 to 50; all covers of this degree are equally likely")
+      ->excludes(permutations)
+      ->check(integer_between(1, kMostRandomSheets))
+      ->option_text("N");
+  command->add_option("--seed", request->seed, "0 to 2^64 - 1; the same seed gives the same cover")
+      ->excludes(permutations)
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->option_text("K");
+  add_surface_output(*command, *request);
+  command->footer(
+      "Example:\n"
+      "  epsnet surface cover s.json --degree 10 --seed 1 -o cover.json\n"
+      "  epsnet surface cover s.json --permutations p.json -o cover.json");
+  set_work(*command, chosen, request, make_cover);
+}
+
+// ---- dehn-twist and twist ----
+
+struct TwistRequest : SurfaceOutput {
   std::string surface;
   std::string curve;
   std::int32_t power = 1;
   std::string by;
-  std::string output;
-  bool json = false;
 };
+
+constexpr const char* kCurveHelp =
+    "a simple closed curve, as the numbers of the sides that it crosses, in quotes or with commas; epsnet spectrum "
+    "and epsnet pants print such words";
 
 /// Writes the surface that `twist` makes of a surface and a curve.
 template <class Twist>
 void make_twisted(const TwistRequest& request, const Twist& twist) {
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  check_surface_files({{"SURFACE", request.surface}}, request);
   const Surface surface = read_surface_input(request.surface);
   const Word curve = parse_word("CURVE", request.curve);
   const Surface result = [&] {
@@ -215,12 +327,30 @@ void make_twisted(const TwistRequest& request, const Twist& twist) {
       throw JobError("CURVE: " + error.problem());
     }
   }();
-  write_surface_file(result, request.output, request.json);
+  write_surface_file(result, request);
 }
 
 void make_dehn_twist(const TwistRequest& request) {
   make_twisted(request,
                [&](const Surface& surface, const Word& curve) { return dehn_twisted(surface, curve, request.power); });
+}
+
+void add_dehn_twist(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<TwistRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "dehn-twist",
+      "The same surface with another marking: its tiles as triangles, glued alike, after a Dehn twist along a curve.");
+  add_input(*command, "SURFACE", request->surface, kSurfaceHelp);
+  command->add_option("CURVE", request->curve, kCurveHelp)->required()->option_text("REQUIRED");
+  command->add_option("POWER", request->power, "how often to the left; to the right, if it is negative")
+      ->check(CLI::Range(-kMostTwists, kMostTwists).description(""))
+      ->option_text("[1]");
+  add_surface_output(*command, *request);
+  command->footer(
+      "A word of side numbers stands for the element that the Dehn twist makes of it. docs/fenchel-nielsen.md has the "
+      "details.\n\n"
+      "Example:\n  epsnet surface dehn-twist s.json 6,1 -2 -o t.json\n  epsnet isometric s.json t.json");
+  set_work(*command, chosen, request, make_dehn_twist);
 }
 
 void make_twist(const TwistRequest& request) {
@@ -229,8 +359,102 @@ void make_twist(const TwistRequest& request) {
   make_twisted(request, [&](const Surface& surface, const Word& curve) { return twisted(surface, curve, *by); });
 }
 
-void make_from_matrices(const SurfaceRequest& request) {
-  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
+void add_twist(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<TwistRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "twist", "The surface cut along a simple closed geodesic and glued anew, one side moved along it.");
+  add_input(*command, "SURFACE", request->surface, kSurfaceHelp);
+  command->add_option("CURVE", request->curve, kCurveHelp)->required()->option_text("REQUIRED");
+  command->add_option("--by", request->by, "the hyperbolic length by which the other side is moved to the left")
+      ->required()
+      ->option_text("T REQUIRED");
+  add_surface_output(*command, *request);
+  command->footer(
+      "The surface is one of surface fenchel-nielsen, with its rounding.\n\n"
+      "Example:\n  epsnet surface twist s.json 6,1 --by 0.1 -o t.json");
+  set_work(*command, chosen, request, make_twist);
+}
+
+// ---- named ----
+
+struct NamedRequest : SurfaceOutput {
+  std::string name;
+  bool list = false;
+};
+
+void list_named_surfaces() {
+  write_stdout([](std::ostream& out) {
+    for (const NamedSurface& surface : named_surfaces()) {
+      out << surface.name << "\n  " << surface.description << "\n  " << surface.source << ".\n";
+    }
+  });
+}
+
+void make_named(const NamedRequest& request) {
+  if (request.list) return list_named_surfaces();
+  if (request.name.empty()) throw UsageError("surface named: expected NAME or --list (try --help)");
+  if (request.output.empty()) throw UsageError("--output is required");
+  check_surface_files({}, request);
+  const Surface surface = [&] {
+    try {
+      return named_surface(request.name);
+    } catch (const SurfaceError& error) {
+      throw UsageError(std::string("NAME: ") + error.what());
+    }
+  }();
+  write_surface_file(surface, request);
+}
+
+void add_named(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<NamedRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "named",
+      "A surface that has a name, such as Klein's quartic: regular tiles, exactly, most of them regular maps.");
+  CLI::Option* name =
+      command->add_option("NAME", request->name, "a name of --list, a number in place of G")->option_text(" ");
+  command->add_flag("--list", request->list, "print all names, with a sentence and a source for each")->excludes(name);
+  add_file(*command, "-o,--output", request->output,
+           "the surface file to write, needed with NAME; \"-\" is standard output");
+  add_json(*command, request->json);
+  command->footer("Example:\n  epsnet surface named klein -o klein.json\n  epsnet surface named wiman-7 -o wiman.json");
+  set_work(*command, chosen, request, make_named);
+}
+
+// ---- map, matrices and import: from a file ----
+
+struct FileRequest : SurfaceOutput {
+  std::string file;
+};
+
+void make_map(const FileRequest& request) {
+  check_surface_files({{"FILE", request.file}}, request);
+  const TextInput input = read_text_input(request.file);
+  const Surface surface = [&] {
+    try {
+      return surface_of_map(parse_map(input.text));
+    } catch (const SurfaceError& error) {
+      throw JobError(input.name + ": " + error.what());
+    }
+  }();
+  write_surface_file(surface, request);
+}
+
+void add_map(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<FileRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "map",
+      "The surface of a map of which all faces have p sides and all vertices q corners: its faces are regular, with "
+      "equal angles, exactly.");
+  add_input(*command, "FILE", request->file,
+            "a JSON object with two permutations of the darts, which are numbered from 0: rotation, to the next dart "
+            "around the face, counterclockwise, and edges, to the other dart of the edge");
+  add_surface_output(*command, *request);
+  command->footer("Example:\n  epsnet surface map map.json -o s.json");
+  set_work(*command, chosen, request, make_map);
+}
+
+void make_from_matrices(const FileRequest& request) {
+  check_surface_files({{"FILE", request.file}}, request);
   const TextInput input = read_text_input(request.file);
   const MatrixSurface made = [&] {
     try {
@@ -261,31 +485,55 @@ void make_from_matrices(const SurfaceRequest& request) {
   write_report(report, request.json, is_stdout(request.output));
 }
 
-struct CoverRequest {
-  std::string surface;
-  std::string permutations;
-  std::optional<std::uint32_t> degree;
-  std::optional<std::uint64_t> seed;
-  std::string output;
-  bool json = false;
+void add_matrices(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<FileRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "matrices",
+      "The surface of the group that matrices in SL(2,R) or SU(1,1) generate: exactly that of rational matrices, "
+      "or of matrices with roots and cosines that belong to a map; or the nearest exact one to decimals. Torsion, "
+      "groups that are not discrete or not cocompact are errors that name an "
+      "element.");
+  add_input(*command, "FILE", request->file,
+            "a matrix a b c d in each line, or JSON, with or without a relation; with a line \"tiles p q\" numbers "
+            "such as sqrt(2) and cos(pi/7) (docs/exchange-formats.md)");
+  add_surface_output(*command, *request);
+  command->footer(
+      "Exit code 2: undecided, as no fundamental domain was found within the limits, or "
+      "the matrices do not take the tiles to themselves.\n\n"
+      "Example:\n"
+      "  epsnet export s.json --format matrices -o matrices.json\n"
+      "  epsnet surface matrices matrices.json -o same.json && epsnet isometric s.json same.json");
+  set_work(*command, chosen, request, make_from_matrices);
+}
+
+struct ImportRequest : FileRequest {
+  ExchangeFormat format = ExchangeFormat::automatic;
 };
 
-void make_cover(const CoverRequest& request) {
-  if (request.permutations.empty() && !(request.degree && request.seed))
-    throw UsageError("surface cover: expected --permutations, or --degree and --seed (try --help)");
-  check_files({{"SURFACE", request.surface}, {"--permutations", request.permutations}},
-              {{"--output", request.output, FileType::json}});
-  const Surface base = read_surface_input(request.surface);
-  if (request.permutations.empty()) {
-    write_surface_file(cover(base, random_sheets(base, *request.degree, *request.seed)), request.output, request.json);
-    return;
-  }
-  const TextInput input = read_text_input(request.permutations);
-  try {
-    write_surface_file(cover(base, parse_permutations(input.text)), request.output, request.json);
-  } catch (const CoverError& error) {
-    throw JobError(input.name + ": " + error.what());
-  }
+void import_surface_text(const ImportRequest& request) {
+  check_surface_files({{"FILE", request.file}}, request);
+  const TextInput input = read_text_input(request.file);
+  write_surface_file(import_surface(input.text, input.name, request.format), request);
+}
+
+void add_import(CLI::App& surface, Job& chosen) {
+  const auto request = std::make_shared<ImportRequest>();
+  CLI::App* command = surface.add_subcommand(
+      "import",
+      "A surface of any genus from a text of CGAL, checked exactly: a polygon with rational vertices (domain) or "
+      "triangles with rational cross-ratios, with an anchor, none, or one for each (triangulation).");
+  add_input(*command, "FILE", request->file, "the text (docs/exchange-formats.md)");
+  command->add_option("--format", request->format, "the format of FILE; auto detects it from the first words")
+      ->transform(one_of<ExchangeFormat>({{"auto", ExchangeFormat::automatic},
+                                          {"domain", ExchangeFormat::domain},
+                                          {"triangulation", ExchangeFormat::triangulation}}))
+      ->option_text("auto|domain|triangulation [auto]");
+  add_surface_output(*command, *request);
+  command->footer(
+      "Example:\n"
+      "  epsnet surface import polygon.txt -o s.json\n"
+      "  epsnet surface import triangulation.txt -o s.json");
+  set_work(*command, chosen, request, import_surface_text);
 }
 
 }  // namespace
@@ -294,210 +542,16 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   CLI::App* surface = app.add_subcommand("surface", "Make a surface file.");
   surface->require_subcommand(0, 1);
   surface->footer("Example:\n  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json");
-
-  const auto octagon_request = std::make_shared<SurfaceRequest>();
-  CLI::App* octagon = surface->add_subcommand(
-      "octagon",
-      "A surface of genus 2 from a symmetric octagon: random, the same as CGAL 6.1 makes from that seed, or given.");
-  CLI::Option* seed =
-      octagon->add_option("--seed", octagon_request->seed, "a 32-bit integer; the same seed gives the same surface")
-          ->option_text("N");
-  octagon
-      ->add_option("--coordinates", octagon_request->coordinates,
-                   "the octagon z0, z1, z2, z3, -z0, -z1, -z2, -z3, counterclockwise, opposite sides glued; exact "
-                   "decimals or fractions. If it does not close up, the error names a z3 for which it does")
-      ->excludes(seed)
-      ->option_text("X0,Y0,...,X3,Y3");
-  add_output(*octagon, octagon_request->output, "the surface file to write");
-  add_json(*octagon, octagon_request->json);
-  octagon->footer(
-      "Example:\n"
-      "  epsnet surface octagon --seed 123 -o s.json\n"
-      "  epsnet surface octagon --coordinates 5/6,0,3/5,3/5,0,5/6,-3/5,3/5 -o s.json");
-  octagon->callback([&chosen, octagon_request] { chosen = [octagon_request] { make_octagon(*octagon_request); }; });
-
-  const auto fenchel_request = std::make_shared<FenchelNielsenCommand>();
-  FenchelNielsenCommand& pants = *fenchel_request;
-  CLI::App* fenchel = surface->add_subcommand(
-      "fenchel-nielsen",
-      "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. Missing values "
-      "are drawn with the seed: lengths between 1 and 4, any twist.");
-  fenchel->add_option("--genus", pants.request.genus, "2 or more; not needed with a list of edges")->option_text("G");
-  fenchel->add_option("--seed", pants.request.seed, "0 to 2^64 - 1; the same seed gives the same surface")
-      ->check(CLI::NonNegativeNumber.description(""))
-      ->option_text("N");
-  fenchel
-      ->add_option("--pants-graph", pants.request.graph,
-                   "a trivalent graph: its edges as in \"0-1 0-1 0-1\", a node for each pair of pants, or one of the "
-                   "named ones")
-      ->option_text("chain|ring|tree|random|EDGES [random]");
-  fenchel
-      ->add_option("--lengths", pants.request.lengths,
-                   "the lengths of the cuffs, in the order of the edges, or one for all")
-      ->delimiter(',')
-      ->option_text("L,L,...");
-  fenchel
-      ->add_option("--twists", pants.request.twists,
-                   "the twists as hyperbolic lengths, or one for all; a full turn is the length of the cuff")
-      ->delimiter(',')
-      ->option_text("T,T,...");
-  add_file(*fenchel, "--from", pants.file,
-           "a JSON object with members graph, genus, seed, lengths, twists; options take precedence over it; \"-\" is "
-           "standard input");
-  add_output(*fenchel, pants.output, "the surface file to write");
-  add_json(*fenchel, pants.json);
-  fenchel->footer(
-      "Example:\n"
-      "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
-      "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" \\\n"
-      "    --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
-      "The foot of the common perpendicular with the next cuff is a mark on each cuff of a pair of pants. With twist 0 "
-      "the two marks meet. docs/fenchel-nielsen.md has the conventions.");
-  fenchel->callback(
-      [&chosen, fenchel_request] { chosen = [fenchel_request] { make_fenchel_nielsen(*fenchel_request); }; });
-
-  const auto regular_request = std::make_shared<SurfaceRequest>();
-  CLI::App* regular = surface->add_subcommand(
-      "regular", "The regular 4g-gon with opposite sides glued, exactly, without rational rounding: Bolza for g = 2.");
-  regular->add_option("--genus", regular_request->genus, "2 to 1000")
-      ->required()
-      ->check(integer_between(2, 1000))
-      ->option_text("G REQUIRED");
-  add_output(*regular, regular_request->output, "the surface file to write");
-  add_json(*regular, regular_request->json);
-  regular->footer("Example:\n  epsnet surface regular --genus 2 -o bolza.json");
-  regular->callback([&chosen, regular_request] { chosen = [regular_request] { make_regular(*regular_request); }; });
-
-  const auto cover_request = std::make_shared<CoverRequest>();
-  CLI::App* cover_command = surface->add_subcommand(
-      "cover", "An unbranched cover of a surface, connected: given by permutations of its sheets, or random.");
-  add_input(*cover_command, "SURFACE", cover_request->surface, kSurfaceHelp);
-  CLI::Option* permutations =
-      add_file(*cover_command, "--permutations", cover_request->permutations,
-               "a JSON array of permutations, one for each pair of sides of the fundamental polygon, as in [[1,0],...] "
-               "(docs/covers.md); \"-\" is standard input");
-  cover_command
-      ->add_option("--degree", cover_request->degree,
-                   "the number of sheets of a random cover, 1 to 50; all covers of this degree are equally likely")
-      ->excludes(permutations)
-      ->check(integer_between(1, kMostRandomSheets))
-      ->option_text("N");
-  cover_command->add_option("--seed", cover_request->seed, "0 to 2^64 - 1; the same seed gives the same cover")
-      ->excludes(permutations)
-      ->check(CLI::NonNegativeNumber.description(""))
-      ->option_text("K");
-  add_output(*cover_command, cover_request->output, "the surface file to write");
-  add_json(*cover_command, cover_request->json);
-  cover_command->footer(
-      "Example:\n"
-      "  epsnet surface cover s.json --degree 10 --seed 1 -o cover.json\n"
-      "  epsnet surface cover s.json --permutations p.json -o cover.json");
-  cover_command->callback([&chosen, cover_request] { chosen = [cover_request] { make_cover(*cover_request); }; });
-
-  constexpr const char* kCurveHelp =
-      "a simple closed curve, as the numbers of the sides that it crosses, in quotes or with commas; epsnet spectrum "
-      "and "
-      "epsnet pants print such words";
-  const auto dehn_request = std::make_shared<TwistRequest>();
-  CLI::App* dehn = surface->add_subcommand(
-      "dehn-twist",
-      "The same surface with another marking: its tiles as triangles, glued alike, after a Dehn twist along a curve.");
-  add_input(*dehn, "SURFACE", dehn_request->surface, kSurfaceHelp);
-  dehn->add_option("CURVE", dehn_request->curve, kCurveHelp)->required()->option_text("REQUIRED");
-  dehn->add_option("POWER", dehn_request->power, "how often to the left; to the right, if it is negative")
-      ->check(CLI::Range(-kMostTwists, kMostTwists).description(""))
-      ->option_text("[1]");
-  add_output(*dehn, dehn_request->output, "the surface file to write");
-  add_json(*dehn, dehn_request->json);
-  dehn->footer(
-      "A word of side numbers stands for the element that the Dehn twist makes of it. docs/fenchel-nielsen.md has the "
-      "details.\n\n"
-      "Example:\n  epsnet surface dehn-twist s.json 6,1 -2 -o t.json\n  epsnet isometric s.json t.json");
-  dehn->callback([&chosen, dehn_request] { chosen = [dehn_request] { make_dehn_twist(*dehn_request); }; });
-
-  const auto twist_request = std::make_shared<TwistRequest>();
-  CLI::App* twist = surface->add_subcommand(
-      "twist", "The surface cut along a simple closed geodesic and glued anew, one side moved along it.");
-  add_input(*twist, "SURFACE", twist_request->surface, kSurfaceHelp);
-  twist->add_option("CURVE", twist_request->curve, kCurveHelp)->required()->option_text("REQUIRED");
-  twist->add_option("--by", twist_request->by, "the hyperbolic length by which the other side is moved to the left")
-      ->required()
-      ->option_text("T REQUIRED");
-  add_output(*twist, twist_request->output, "the surface file to write");
-  add_json(*twist, twist_request->json);
-  twist->footer(
-      "The surface is one of surface fenchel-nielsen, with its rounding.\n\n"
-      "Example:\n  epsnet surface twist s.json 6,1 --by 0.1 -o t.json");
-  twist->callback([&chosen, twist_request] { chosen = [twist_request] { make_twist(*twist_request); }; });
-
-  const auto named_request = std::make_shared<SurfaceRequest>();
-  CLI::App* named = surface->add_subcommand(
-      "named",
-      "A surface that has a name, such as Klein's quartic: regular tiles, exactly, most of them regular maps.");
-  CLI::Option* name =
-      named->add_option("NAME", named_request->name, "a name of --list, a number in place of G")->option_text(" ");
-  named->add_flag("--list", named_request->list, "print all names, with a sentence and a source for each")
-      ->excludes(name);
-  add_file(*named, "-o,--output", named_request->output,
-           "the surface file to write, needed with NAME; \"-\" is standard output");
-  add_json(*named, named_request->json);
-  named->footer("Example:\n  epsnet surface named klein -o klein.json\n  epsnet surface named wiman-7 -o wiman.json");
-  named->callback([&chosen, named_request] { chosen = [named_request] { make_named(*named_request); }; });
-
-  const auto map_request = std::make_shared<SurfaceRequest>();
-  CLI::App* map = surface->add_subcommand(
-      "map",
-      "The surface of a map of which all faces have p sides and all vertices q corners: its faces are regular, with "
-      "equal angles, exactly.");
-  add_input(*map, "FILE", map_request->file,
-            "a JSON object with two permutations of the darts, which are numbered from 0: rotation, to the next dart "
-            "around the face, counterclockwise, and edges, to the other dart of the edge");
-  add_output(*map, map_request->output, "the surface file to write");
-  add_json(*map, map_request->json);
-  map->footer("Example:\n  epsnet surface map map.json -o s.json");
-  map->callback([&chosen, map_request] { chosen = [map_request] { make_map(*map_request); }; });
-
-  const auto matrices_request = std::make_shared<SurfaceRequest>();
-  CLI::App* matrices = surface->add_subcommand(
-      "matrices",
-      "The surface of the group that matrices in SL(2,R) or SU(1,1) generate: exactly that of rational matrices, "
-      "or of matrices with roots and cosines that belong to a map; or the nearest exact one to decimals. Torsion, "
-      "groups that are not discrete or not cocompact are errors that name an "
-      "element.");
-  add_input(*matrices, "FILE", matrices_request->file,
-            "a matrix a b c d in each line, or JSON, with or without a relation; with a line \"tiles p q\" numbers "
-            "such as sqrt(2) and cos(pi/7) (docs/exchange-formats.md)");
-  add_output(*matrices, matrices_request->output, "the surface file to write");
-  add_json(*matrices, matrices_request->json);
-  matrices->footer(
-      "Exit code 2: undecided, as no fundamental domain was found within the limits, or "
-      "the matrices do not take the tiles to themselves.\n\n"
-      "Example:\n"
-      "  epsnet export s.json --format matrices -o matrices.json\n"
-      "  epsnet surface matrices matrices.json -o same.json && epsnet isometric s.json same.json");
-  matrices->callback(
-      [&chosen, matrices_request] { chosen = [matrices_request] { make_from_matrices(*matrices_request); }; });
-
-  const auto import_request = std::make_shared<SurfaceRequest>();
-  CLI::App* import_command = surface->add_subcommand(
-      "import",
-      "A surface of any genus from a text of CGAL, checked exactly: a polygon with rational vertices (domain) or "
-      "triangles with rational cross-ratios, with an anchor, none, or one for each (triangulation).");
-  add_input(*import_command, "FILE", import_request->file, "the text (docs/exchange-formats.md)");
-  import_command
-      ->add_option("--format", import_request->format, "the format of FILE; auto detects it from the first words")
-      ->transform(one_of<ExchangeFormat>({{"auto", ExchangeFormat::automatic},
-                                          {"domain", ExchangeFormat::domain},
-                                          {"triangulation", ExchangeFormat::triangulation}}))
-      ->option_text("auto|domain|triangulation [auto]");
-  add_output(*import_command, import_request->output, "the surface file to write");
-  add_json(*import_command, import_request->json);
-  import_command->footer(
-      "Example:\n"
-      "  epsnet surface import polygon.txt -o s.json\n"
-      "  epsnet surface import triangulation.txt -o s.json");
-  import_command->callback(
-      [&chosen, import_request] { chosen = [import_request] { import_surface_text(*import_request); }; });
+  add_octagon(*surface, chosen);
+  add_fenchel_nielsen(*surface, chosen);
+  add_regular(*surface, chosen);
+  add_cover(*surface, chosen);
+  add_dehn_twist(*surface, chosen);
+  add_twist(*surface, chosen);
+  add_named(*surface, chosen);
+  add_map(*surface, chosen);
+  add_matrices(*surface, chosen);
+  add_import(*surface, chosen);
 }
 
 }  // namespace epsnet::program

@@ -287,39 +287,19 @@ void bind_lifts(py::module_& module) {
       });
 }
 
-}  // namespace
+using NetClass = py::class_<SharedNet>;
 
-void bind_nets(py::module_& module) {
-  py::class_<Layer>(module, "Layer").def_readonly("name", &Layer::name).def_readwrite("on", &Layer::on);
-  bind_lifts(module);
-  py::class_<NetOptions>(module, "NetOptions")
-      .def(py::init(&net_options), py::arg("base"), py::arg("points"), py::arg("pseudo"), py::arg("sparse"),
-           py::arg("insert"), py::arg("locate"), py::arg("list"), py::arg("threads"));
-  py::class_<PictureOptions>(module, "DrawOptions")
-      .def(py::init(&picture_options), py::arg("centre"), py::arg("triangles"), py::arg("vertices"),
-           py::arg("dirichlet"), py::arg("combinatorial_dirichlet"), py::arg("tiles"), py::arg("disks"),
-           py::arg("half_disks"), py::arg("colour"), py::arg("legend"), py::arg("breadth_first"), py::arg("size"));
-  py::class_<SharedNet> net(module, "Net");
-  bind_document<NetDocument>(
-      net, [](const NetDocument& document, const certify::CheckOptions& options) { return check(document, options); },
-      [](const NetDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) {
-        return certify::parse_file<certify::NetDocument>(text, name);
+/// What makes nets.
+void bind_computation(NetClass& bound) {
+  bound.def_static("compute", &compute, py::arg("surface"), py::arg("epsilon"), py::arg("options"), py::arg("progress"))
+      .def_static("of_tiles", [](const Surface& surface, const std::string& epsilon) {
+        return interruptible([=] { return SharedNet(net_of_tiles(surface, Length(epsilon))); });
       });
-  net.def_static("compute", &compute, py::arg("surface"), py::arg("epsilon"), py::arg("options"), py::arg("progress"))
-      .def_static("of_tiles",
-                  [](const Surface& surface, const std::string& epsilon) {
-                    return interruptible([=] { return SharedNet(net_of_tiles(surface, Length(epsilon))); });
-                  })
-      .def(
-          "save_compact",
-          [](const SharedNet& self, const std::filesystem::path& path) {
-            save(path, [self](std::ostream& out) { certify::write_compact_net(*self, out); });
-          },
-          py::arg("path"))
-      .def("info", [](const SharedNet& self) { return interruptible([=] { return net_info(*self).json.dump(); }); })
-      .def("distances", &distances, py::arg("rows"), py::arg("columns"), py::arg("threads"), py::arg("progress"))
-      .def_property_readonly("epsilon", [](const SharedNet& self) { return self->epsilon; })
+}
+
+/// The members of the document: arrays of its memory, and lists.
+void bind_net_arrays(NetClass& bound) {
+  bound.def_property_readonly("epsilon", [](const SharedNet& self) { return self->epsilon; })
       .def_property_readonly(
           "surface", [](const SharedNet& self) { return interruptible([=] { return from_document(self->surface); }); })
       .def_property_readonly("vertices",
@@ -365,21 +345,25 @@ void bind_nets(py::module_& module) {
                                }
                                return labels;
                              })
-      .def_property_readonly(
-          "collars",
-          [](const SharedNet& self) {
-            using Row = std::tuple<std::vector<std::uint32_t>, certify::Interval, std::array<std::uint32_t, 2>,
-                                   std::array<std::uint32_t, 2>>;
-            std::optional<std::vector<Row>> collars;
-            if (!self->collars) return collars;
-            collars.emplace();
-            for (const NetDocument::Collar& c : *self->collars) {
-              collars->emplace_back(c.core, certify::Interval{c.length[0], c.length[1]}, c.vertices, c.triangles);
-            }
-            return collars;
-          })
+      .def_property_readonly("collars", [](const SharedNet& self) {
+        using Row = std::tuple<std::vector<std::uint32_t>, certify::Interval, std::array<std::uint32_t, 2>,
+                               std::array<std::uint32_t, 2>>;
+        std::optional<std::vector<Row>> collars;
+        if (!self->collars) return collars;
+        collars.emplace();
+        for (const NetDocument::Collar& c : *self->collars) {
+          collars->emplace_back(c.core, certify::Interval{c.length[0], c.length[1]}, c.vertices, c.triangles);
+        }
+        return collars;
+      });
+}
+
+/// Numbers that are rounded, or found from the members, and points.
+void bind_net_geometry(NetClass& bound) {
+  bound
       .def("geometry",
            [](const SharedNet& self) { return arrays_of(interruptible([=] { return geometry_of(*self); })); })
+      .def("distances", &distances, py::arg("rows"), py::arg("columns"), py::arg("threads"), py::arg("progress"))
       .def(
           "lifts",
           [](const SharedNet& self, bool breadth_first, std::uint32_t centre) {
@@ -398,6 +382,12 @@ void bind_nets(py::module_& module) {
               const std::array<Rational, 3>& weights) {
              return interruptible([=] { return point_of_triangle(surface, *self, triangle, weights); });
            })
+      .def("info", [](const SharedNet& self) { return interruptible([=] { return net_info(*self).json.dump(); }); });
+}
+
+/// Pictures, the page, and what they show.
+void bind_net_pictures(NetClass& bound) {
+  bound
       .def(
           "svg",
           [](const SharedNet& self, const PictureOptions& options, const std::vector<Layer>& layers) {
@@ -413,10 +403,6 @@ void bind_nets(py::module_& module) {
             return interruptible([=] { return page(*self, title, certificate, layers, distances); });
           },
           py::arg("title"), py::arg("certificate"), py::arg("layers"), py::arg("distances"))
-      .def("exported",
-           [](const SharedNet& self, const std::string& format, std::optional<std::uint32_t> distance_from) {
-             return py::bytes(interruptible([=] { return exported(*self, format, distance_from); }));
-           })
       .def("eccentricity_svg",
            [](const SharedNet& self, std::uint32_t size) {
              return svg_of([self] { return picture_of_eccentricity(*self); }, size);
@@ -432,12 +418,65 @@ void bind_nets(py::module_& module) {
       .def("geodesics_layers", [](const SharedNet& self, const Shared<certify::GeodesicsDocument>& geodesics) {
         return interruptible([=] { return geodesics_layers(*self, *geodesics); });
       });
+}
+
+/// The files that not all documents have.
+void bind_net_files(NetClass& bound) {
+  bound
+      .def(
+          "save_compact",
+          [](const SharedNet& self, const std::filesystem::path& path) {
+            save(path, [self](std::ostream& out) { certify::write_compact_net(*self, out); });
+          },
+          py::arg("path"))
+      .def("exported",
+           [](const SharedNet& self, const std::string& format, std::optional<std::uint32_t> distance_from) {
+             return py::bytes(interruptible([=] { return exported(*self, format, distance_from); }));
+           });
+}
+
+void bind_net_options(py::module_& module) {
+  py::class_<NetOptions>(module, "NetOptions")
+      .def(py::init(&net_options), py::arg("base"), py::arg("points"), py::arg("pseudo"), py::arg("sparse"),
+           py::arg("insert"), py::arg("locate"), py::arg("list"), py::arg("threads"));
+  py::class_<PictureOptions>(module, "DrawOptions")
+      .def(py::init(&picture_options), py::arg("centre"), py::arg("triangles"), py::arg("vertices"),
+           py::arg("dirichlet"), py::arg("combinatorial_dirichlet"), py::arg("tiles"), py::arg("disks"),
+           py::arg("half_disks"), py::arg("colour"), py::arg("legend"), py::arg("breadth_first"), py::arg("size"));
+}
+
+void bind_net(py::module_& module) {
+  NetClass net(module, "Net");
+  bind_document<NetDocument>(
+      net, [](const NetDocument& document, const certify::CheckOptions& options) { return check(document, options); },
+      [](const NetDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) {
+        return certify::parse_file<certify::NetDocument>(text, name);
+      });
+  bind_computation(net);
+  bind_net_arrays(net);
+  bind_net_geometry(net);
+  bind_net_pictures(net);
+  bind_net_files(net);
+}
+
+void bind_locator(py::module_& module) {
   py::class_<SharedLocator>(module, "Locator")
       .def(py::init([](const SharedNet& document) {
              return interruptible([document] { return std::make_unique<SharedLocator>(document); });
            }),
            py::arg("net"))
       .def("locate", &SharedLocator::locate, py::arg("point"));
+}
+
+}  // namespace
+
+void bind_nets(py::module_& module) {
+  py::class_<Layer>(module, "Layer").def_readonly("name", &Layer::name).def_readwrite("on", &Layer::on);
+  bind_lifts(module);
+  bind_net_options(module);
+  bind_net(module);
+  bind_locator(module);
 }
 
 }  // namespace epsnet::python

@@ -47,8 +47,11 @@ struct Coordinates {
   }
 };
 
-void bind_surface(py::module_& module) {
-  py::class_<Surface>(module, "Surface")
+using SurfaceClass = py::class_<Surface>;
+
+/// The surfaces that can be made.
+void bind_kinds(SurfaceClass& bound) {
+  bound
       .def(py::init([](const std::vector<Tile>& tiles, const std::vector<std::array<std::uint32_t, 4>>& gluing) {
              return interruptible([=] { return surface_of(tiles, gluing); });
            }),
@@ -93,19 +96,17 @@ void bind_surface(py::module_& module) {
             return interruptible([=] { return surface_of_matrices(parse_matrices(text)).surface; });
           },
           py::arg("text"))
-      .def(
-          "matrices",
-          [](const Surface& surface, bool in_disk) {
-            return interruptible(
-                [=] { return write_matrices(surface, in_disk ? MatrixModel::su11 : MatrixModel::sl2r); });
-          },
-          py::arg("in_disk"))
       .def_static(
           "fenchel_nielsen",
           [](const Coordinates& request) {
             return interruptible([=] { return fenchel_nielsen_surface(request.coordinates); });
           },
-          py::arg("coordinates"))
+          py::arg("coordinates"));
+}
+
+/// Texts, files and pictures.
+void bind_surface_files(SurfaceClass& bound) {
+  bound
       .def_static(
           "parse",
           [](const std::string& text, const std::string& name) {
@@ -129,8 +130,6 @@ void bind_surface(py::module_& module) {
              return py::bytes(interruptible(
                  [=] { return written([&](std::ostream& out) { certify::write_file(to_document(surface), out); }); }));
            })
-      .def("info",
-           [](const Surface& surface) { return interruptible([=] { return surface_info(surface).json.dump(); }); })
       .def("svg", [](const Surface& surface,
                      std::uint32_t size) { return svg_of([surface] { return picture_of(surface); }, size); })
       .def("domain_text", [](const Surface& surface) { return interruptible([=] { return write_domain(surface); }); })
@@ -139,7 +138,18 @@ void bind_surface(py::module_& module) {
              return interruptible(
                  [=] { return written([&](std::ostream& out) { write_triangulation(surface, out); }); });
            })
-      .def_property("about", &Surface::about, &Surface::set_about)
+      .def(
+          "matrices",
+          [](const Surface& surface, bool in_disk) {
+            return interruptible(
+                [=] { return write_matrices(surface, in_disk ? MatrixModel::su11 : MatrixModel::sl2r); });
+          },
+          py::arg("in_disk"));
+}
+
+/// What a surface consists of.
+void bind_surface_facts(SurfaceClass& bound) {
+  bound.def_property("about", &Surface::about, &Surface::set_about)
       .def_property_readonly("is_regular", &Surface::is_regular)
       .def_property_readonly("is_regular_polygon", &Surface::is_regular_polygon)
       .def_property_readonly("regular_tile",
@@ -152,6 +162,21 @@ void bind_surface(py::module_& module) {
       .def_property_readonly("gluing", &gluing_of)
       .def_property_readonly("side_count", &Surface::side_count)
       .def_property_readonly("vertex_count", &Surface::vertex_class_count)
+      .def("info",
+           [](const Surface& surface) { return interruptible([=] { return surface_info(surface).json.dump(); }); })
+      .def("__eq__", [](const Surface& a, const Surface& b) {
+        return interruptible([=] {
+          certify::SurfaceDocument x = to_document(a);
+          certify::SurfaceDocument y = to_document(b);
+          x.about = y.about = "";
+          return x == y;
+        });
+      });
+}
+
+/// Sides, and the paths across them.
+void bind_paths(SurfaceClass& bound) {
+  bound
       .def("partner",
            [](const Surface& surface, std::uint32_t side) {
              if (side >= surface.side_count()) throw py::index_error("no such side");
@@ -177,15 +202,15 @@ void bind_surface(py::module_& module) {
             const EnclosedIsometry f = interruptible([=] { return enclosed_isometry(surface, word, bits); });
             return std::pair(std::pair(ends(f.a_re), ends(f.a_im)), std::pair(ends(f.b_re), ends(f.b_im)));
           },
-          py::arg("word"), py::arg("bits"))
-      .def("__eq__", [](const Surface& a, const Surface& b) {
-        return interruptible([=] {
-          certify::SurfaceDocument x = to_document(a);
-          certify::SurfaceDocument y = to_document(b);
-          x.about = y.about = "";
-          return x == y;
-        });
-      });
+          py::arg("word"), py::arg("bits"));
+}
+
+void bind_surface(py::module_& module) {
+  SurfaceClass surface(module, "Surface");
+  bind_kinds(surface);
+  bind_surface_files(surface);
+  bind_surface_facts(surface);
+  bind_paths(surface);
 }
 
 void bind_polygons(py::module_& module) {

@@ -12,7 +12,7 @@ __all__ = [
 
 _FILE = re.compile(r'("(?:[^"\\]|\\.)*"|standard input|[^:"]+(?=:\d+: )): ?', re.S)
 _PATH = re.compile(r"(.+?): ", re.S)  # As files that cannot be written are called.
-_PLACE = re.compile(r"([A-Za-z_ ]+(?:\[\d+\])?): ", re.S)
+_PLACE = re.compile(r"([A-Za-z_ ]+(?:\.[a-z_]+|\[\d+\])*): ")  # As surface.gluing[0] and triangles[3].label.
 _LINE = re.compile(r"(\d+): ")
 
 

@@ -145,6 +145,7 @@ def test_a_false_net_is_not_handed_out(tmp_path, net):
         ('{"format": "epsnet-net"}', None),
         ('{"format": "epsnet-net", "version": 2}', "net"),
         ("[]", "document"),
+        ('{"format": "epsnet-surface", "version": 1, "surface": {"kind": "tiles", "tiles": [], "gluing": [[0, 0, "x", 0]]}}', "surface.gluing[0]"),
         ("\xff\xfe", None),
         ("", None),
     ],

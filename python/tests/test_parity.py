@@ -34,6 +34,8 @@ NOT_IN_PYTHON = {
     ("draw", "--eigenfunction"): "Eigenvalues.eigenfunction(index).svg",
     ("draw", "--png"): "a browser or a notebook shows SVG; the module does not link the library that the program draws with",
 }
+# Commands that are other things in Python, and what.
+COMMANDS_NOT_IN_PYTHON = {"help": "help(epsnet)"}
 # The function of a command, and its parameters that are called otherwise.
 FUNCTIONS = {
     "surface octagon": (Surface.octagon, {"--coordinates": "half"}),
@@ -112,6 +114,8 @@ def missing(command, options):
 
 def all_commands():
     for command in commands_of(help_of()):
+        if command in COMMANDS_NOT_IN_PYTHON:
+            continue
         inner = commands_of(help_of(command))
         yield from ([command, one] for one in inner) if inner else [[command]]
 
@@ -156,4 +160,5 @@ def test_what_is_missing_is_named():
     assert missing("teleport", []) == ["teleport: no function"]
     assert missing("systole", ["--json", "--threads", "--faster"]) == ["systole --faster: Surface.systole has no parameter faster"]
     text = "A program.\n\nSubcommands:\n  one     the first\n  two     the other\n\nOptions:\n  -h,--help   x\n  --up-to L   y --not\n"
-    assert commands_of(text) == ["one", "two"] and options_of(text) == ["--help", "--up-to"]
+    assert commands_of(text) == ["one", "two"] and commands_of(text.replace("Subcommands", "Lengths and distances")) == ["one", "two"]
+    assert options_of(text) == ["--help", "--up-to"]

@@ -24,7 +24,7 @@ offered_by_bash() {
 # The same for zsh, whose own functions are replaced by ones that print how they are called.
 offered_by_zsh() {
   zsh -f -c '
-    _arguments() { for spec; do case $spec in "*:file:_files") ;; *) spec=${spec#\(*\)}; print -- ${spec%%\[*} ;; esac; done }
+    _arguments() { for spec; do case $spec in "*:"*) ;; *) spec=${spec#\(*\)}; print -- ${spec%%\[*} ;; esac; done }
     _describe() { for entry in ${(P)2}; do print -- ${entry%%:*}; done }
     words=("${@[2,-1]}")
     CURRENT=$#words
@@ -40,7 +40,8 @@ check() {
   page=$(tr ' ' '-' <<<"$*")
   # An option's line starts with two spaces and a dash; the names end at the first space.
   options=$(grep -oE '^  -[^ ]+' <<<"$text" | tr ',' ' ' | tr '\n' ' ')
-  commands=$(sed -n '/^Subcommands:/,/^$/p' <<<"$text" | grep -oE '^  [a-z][^ ]*' | tr '\n' ' ')
+  # The line of a command starts with two spaces and a letter; it is in a group that is not of options or examples.
+  commands=$(awk '/^[^ ]/ { inside = /^[A-Z][a-z ]*:$/ && !/^Examples?:$/ } inside && /^  [a-z]/ { print $1 }' <<<"$text" | tr '\n' ' ')
   expected=$((expected + 1))
   [ -f "$help/man1/$page.1" ] || complain "there is no page $page"
   same "options in the page $page" "$options" \
@@ -54,6 +55,7 @@ check() {
     [ "$zsh" = no ] || same "zsh, commands of $*" "$commands" "$(offered_by_zsh "$@" "")"
   else
     case $text in
+      *Positionals:*"COMMAND ..."* | *"a name of --list"*) ;;  # Below.
       *Positionals:* | *": certify-exact FILE"*) same "bash, files for $*" "net.json other.json" "$(offered_by_bash "$@" "")" ;;
     esac
   fi
@@ -77,6 +79,8 @@ same "pages" "$expected" "$(find "$help/man1" -name '*.1' | wc -l)"
 
 same "bash, values of --list" "A B C D" "$(offered_by_bash epsnet net s.json --list "")"
 same "bash, values of --insert" "cavity flips" "$(offered_by_bash epsnet net --insert "")"
+same "bash, commands for help" "diameter dirichlet distance distances draw" "$(offered_by_bash epsnet help d)"
+same "bash, named surfaces" "bolza bring" "$(offered_by_bash epsnet surface named b)"
 same "bash, files for -o" "net.json other.json" "$(offered_by_bash epsnet net s.json -o "" 2>/dev/null)"
 same "bash, files that begin with n" "net.json" "$(offered_by_bash epsnet draw n 2>/dev/null)"
 same "bash, a number" "" "$(offered_by_bash epsnet net s.json --epsilon "")"

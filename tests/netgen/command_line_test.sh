@@ -735,8 +735,19 @@ meant --up-to spectrum s.json --up_to=3
 meant --genus surface fenchel-nielsen --genuss 2
 meant --json info s.json --jsn
 meant --help --hlep
-bad 64 '^epsnet: unknown command "nonsense"; expected surface, net, import-net, .* or convert (try --help)$' nonsense
+bad 64 '^epsnet: unknown command "nonsense"; expected surface, pants, dirichlet, .*, convert or help (try --help)$' nonsense
 bad 64 '^epsnet: surface: unknown command "genus"; expected octagon, fenchel-nielsen, .* or import (try --help)$' surface genus 3
+for command in '' net 'surface octagon'; do
+  # shellcheck disable=SC2086
+  good $command --help
+  mv output expected
+  # shellcheck disable=SC2086
+  good help $command
+  cmp -s output expected || complain "epsnet help $command is not epsnet $command --help"
+done
+meant surface help sufrace
+meant octagon help surface octagn
+bad 64 '^epsnet: net: one argument too many, "x" (try --help)$' help net x
 bad 64 '^epsnet: net: unknown option "--wholly-else" (try --help)$' net s.json --wholly-else
 bad 64 'net: one argument too many, "extra"' net s.json extra --epsilon 0.5 -o out/x.json
 bad 64 '--epsilon: given more than once' net s.json --epsilon 0.5 --epsilon 0.4 -o out/x.json

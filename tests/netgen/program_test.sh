@@ -218,7 +218,7 @@ for file in large.json large.epsn cut.json; do
 done
 
 for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net import-net systole spectrum \
-  thick-thin dirichlet distance locate distances eccentricity diameter radius embedded-disk draw view info export convert; do
+  thick-thin dirichlet distance locate distances eccentricity diameter radius embedded-disk draw view info export convert help; do
   # shellcheck disable=SC2086
   good $command --help
   grep -q 'Example' output || complain "epsnet $command --help has no example"
