@@ -195,9 +195,9 @@ class BoundSearch {
   /// Returns the frame to use at a point: the given one, or a new one if that is far away.
   [[nodiscard]] std::uint32_t frame_at(std::uint32_t frame, const Point& p) {
     constexpr double kFar = 1.5;  // cosh of the distance.
-    if (frames_[frame].point(p).t <= kFar) return frame;
+    if (frames_[frame].cosh_distance(p) <= kFar) return frame;
     for (std::uint32_t f = 0; f < frames_.size(); ++f) {
-      if (frames_[f].point(p).t <= kFar) return f;
+      if (frames_[f].cosh_distance(p) <= kFar) return f;
     }
     frames_.emplace_back(elements_, unit(p));
     return static_cast<std::uint32_t>(frames_.size()) - 1;
