@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/numbers/parallel.h"
 #include "netgen/distances/distances.h"
 #include "netgen/distances/vertex_triangulation.h"
 #include "netgen/nets/certified_net.h"
@@ -35,70 +36,95 @@ constexpr std::size_t kMostElements = 1'000'000;
 
 Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_product(p, p)))) * p; }
 
-/// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
-/// the greatest value that was found plus the width. For a radius the function is minus the eccentricity.
+/// Whether the greatest value is sought, or assumed to be that at the vertex of the base.
+enum class Climb { yes, no };
+
+/// What one search is for.
+struct Goal {
+  BoundDocument::Claim claim;
+  Climb climb;
+  double width;
+};
+
+/// The triangulations of a document, each of all parts once.
+class Triangulations {
+ public:
+  using Rows = std::vector<BoundDocument::Triangulation>;
+
+  /// The number of what flips make of the triangulation of number `parent`. Equal means dart by dart.
+  std::uint32_t add(std::uint32_t parent, const std::vector<std::uint32_t>& flips, const VertexTriangulation& map,
+                    const EdgeElements& elements) {
+    std::vector<std::uint32_t> key;
+    for (const EdgeElements::Id id : map.element) key.push_back(elements_.add(elements.isometry(id)));
+    const auto next = static_cast<std::uint32_t>(rows_.size()) + 1;
+    const auto [found, is_new] = numbers_.try_emplace(std::move(key), next);
+    if (is_new) rows_.push_back({parent, flips});
+    return found->second;
+  }
+  [[nodiscard]] Rows take() { return std::move(rows_); }
+
+ private:
+  EdgeElements elements_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;
+  Rows rows_;
+};
+
+/// The part of a search that one triangle of a triangulation with one vertex is: it is cut into cells.
 ///
 /// The function is evaluated at points of cells, where the Delaunay triangulation gives it exactly. Two triangulations
 /// bound it at the corners of a cell, that of the cell's own point and that of the cell it was cut from; the better one
 /// is the bound of the cell. For a radius the bound is the function at the midpoint of a side plus the distance from
 /// there to the farthest corner.
-class BoundSearch {
+class PartSearch {
  public:
   using Claim = BoundDocument::Claim;
 
-  /// Whether the greatest value is sought, or assumed to be that at the vertex of the base.
-  enum class Climb { yes, no };
-
   /// Requires: the base is Delaunay.
-  BoundSearch(Triangulation& base, BoundDocument::Claim claim, const BoundOptions& options, double width, Climb climb)
-      : claim_(claim), climb_(climb), options_(options), width_(width) {
+  PartSearch(Triangulation& base, std::uint32_t triangle, const Goal& goal) : goal_(goal) {
     known_.push_back({vertex_triangulation(base, elements_), 0, {}});
     numbers_[known_[0].map.key()] = 0;
     const Point vertex = on_hyperboloid(convert<Number>(base.vertex(VertexId(0)).z));
     frames_.emplace_back(elements_, vertex);
     const Site start{vertex, 0, 0};
     look_at(start);
-    for (std::uint32_t d = 0; d < known_[0].map.opposite.size(); d += 3) {
-      const auto lift = [&](EdgeElements::Id id) { return image(elements_.isometry(id), vertex); };
-      const std::vector<EdgeElements::Id>& element = known_[0].map.element;
-      Place place{{vertex, lift(element[d]), lift(EdgeElements::inverse(element[d + 2]))}, {}};
-      for (std::size_t k = 0; k < 3; ++k) place.cosh[k] = -lorentz_product(place.corner[k], place.corner[(k + 1) % 3]);
-      add_cell(std::move(place), start);
-    }
-    roots_ = static_cast<std::uint32_t>(cells_.size());
+    const auto lift = [&](EdgeElements::Id id) { return image(elements_.isometry(id), vertex); };
+    const std::vector<EdgeElements::Id>& element = known_[0].map.element;
+    const std::uint32_t d = 3 * triangle;
+    Place place{{vertex, lift(element[d]), lift(EdgeElements::inverse(element[d + 2]))}, {}};
+    for (std::size_t k = 0; k < 3; ++k) place.cosh[k] = -lorentz_product(place.corner[k], place.corner[(k + 1) % 3]);
+    add_cell(std::move(place), start);
   }
 
-  /// Cuts cells until the bounds are as near to each other as wanted, or a limit is reached.
-  void run() {
-    double first_gap = 0;
-    while (!is_narrow() && !at_limit()) {
+  /// Cuts up to `most` of its cells, those with the greatest bounds first, whose bounds are at least `level` and too
+  /// great.
+  void cut_above(double level, std::size_t most) {
+    for (; most > 0 && upper() >= level && !is_narrow(); --most) {
       const std::uint32_t top = queue_.top().second;
       queue_.pop();
       cut(top);
-      if (first_gap == 0 && std::isfinite(upper())) first_gap = upper() - lower();
-      if (options_.progress && first_gap > 0 && cells_.size() % 1024 == 0) {
-        options_.progress("covering", std::log(first_gap / (upper() - lower())) / std::log(first_gap / width_));
-      }
     }
   }
 
-  /// Throws NetError unless the bounds are as near to each other as wanted.
-  void require_narrow() const {
-    if (is_narrow()) return;
-    const bool negated = claim_ == Claim::radius;  // It is the least eccentricity, the maximum of the negative.
-    const certify::Interval found =
-        negated ? certify::Interval{-upper(), -lower()} : certify::Interval{lower(), upper()};
-    throw NetError("not enclosed to the width wanted with " + std::to_string(cells_.size()) + " cells and " +
-                   std::to_string(elements_.size()) + " edges of triangulations, only by " + to_string(found));
+  /// Whether the bounds of its cells are as near to the greatest value as wanted.
+  [[nodiscard]] bool is_narrow() const {
+    // The lower bound of a radius must be positive.
+    constexpr double kLeastRadius = 1e-3;
+    return upper() - highest_ <= goal_.width && (goal_.claim != Claim::radius || upper() <= -kLeastRadius);
   }
-
+  /// Tells it of a value that was found elsewhere.
+  void raise(double value) {
+    if (value > highest_) highest_ = value;
+  }
   [[nodiscard]] double lower() const { return highest_; }
   [[nodiscard]] double upper() const { return queue_.top().first; }
-  /// Where the greatest value was found, in the chart of the base's vertex.
+  [[nodiscard]] std::size_t cells() const { return cells_.size(); }
+  [[nodiscard]] std::size_t elements() const { return elements_.size(); }
+  /// The greatest value that it found itself, and where, in the chart of the base's vertex.
+  [[nodiscard]] double found() const { return found_; }
   [[nodiscard]] const Point& summit() const { return summit_; }
 
-  /// The cells and the triangulations that they use.
-  void describe(BoundDocument& document) const {
+  /// Its cells, and the triangulations that they use.
+  [[nodiscard]] std::vector<std::uint32_t> describe(Triangulations& triangulations) const {
     std::vector<bool> used(known_.size());
     for (const Cell& cell : cells_) {
       if (cell.edge != kNotCut) continue;
@@ -106,39 +132,27 @@ class BoundSearch {
     }
     std::vector<std::uint32_t> number(known_.size());
     for (std::uint32_t k = 1; k < known_.size(); ++k) {
-      if (!used[k]) continue;
-      document.triangulations.push_back({number[known_[k].parent], known_[k].flips});
-      number[k] = static_cast<std::uint32_t>(document.triangulations.size());
+      if (used[k]) number[k] = triangulations.add(number[known_[k].parent], known_[k].flips, known_[k].map, elements_);
     }
     const auto darts = static_cast<std::uint32_t>(known_[0].map.opposite.size());
-    for (std::uint32_t root = 0; root < roots_; ++root) {
-      std::vector<std::uint32_t>& cells = document.cells.emplace_back();
-      std::vector<std::uint32_t> open{root};
-      while (!open.empty()) {
-        const Cell& cell = cells_[open.back()];
-        open.pop_back();
-        if (cell.edge != kNotCut) {
-          cells.push_back(cell.edge);
-          open.push_back(cell.first_part + 1);
-          open.push_back(cell.first_part);
-        } else {
-          const std::uint32_t of_each = claim_ == Claim::diameter ? 1 : claim_ == Claim::radius ? 3 : darts;
-          cells.push_back(3 + number[cell.bound_by] * of_each + cell.bound_by_part);
-        }
+    std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+      const Cell& cell = cells_[open.back()];
+      open.pop_back();
+      if (cell.edge != kNotCut) {
+        cells.push_back(cell.edge);
+        open.push_back(cell.first_part + 1);
+        open.push_back(cell.first_part);
+      } else {
+        const std::uint32_t of_each = goal_.claim == Claim::diameter ? 1 : goal_.claim == Claim::radius ? 3 : darts;
+        cells.push_back(3 + number[cell.bound_by] * of_each + cell.bound_by_part);
       }
     }
+    return cells;
   }
 
  private:
-  [[nodiscard]] bool is_narrow() const {
-    // The lower bound of a radius must be positive.
-    constexpr double kLeastRadius = 1e-3;
-    return upper() - lower() <= width_ && (claim_ != Claim::radius || upper() <= -kLeastRadius);
-  }
-  [[nodiscard]] bool at_limit() const {
-    return cells_.size() >= options_.most_cells || elements_.size() > kMostElements;
-  }
-
   /// A place of the vertex, with the numbers of a triangulation that is Delaunay there and of a frame nearby.
   struct Site {
     Point point;
@@ -195,9 +209,9 @@ class BoundSearch {
   /// Returns the frame to use at a point: the given one, or a new one if that is far away.
   [[nodiscard]] std::uint32_t frame_at(std::uint32_t frame, const Point& p) {
     constexpr double kFar = 1.5;  // cosh of the distance.
-    if (frames_[frame].point(p).t <= kFar) return frame;
+    if (frames_[frame].cosh_distance(p) <= kFar) return frame;
     for (std::uint32_t f = 0; f < frames_.size(); ++f) {
-      if (frames_[f].point(p).t <= kFar) return f;
+      if (frames_[f].cosh_distance(p) <= kFar) return f;
     }
     frames_.emplace_back(elements_, unit(p));
     return static_cast<std::uint32_t>(frames_.size()) - 1;
@@ -245,18 +259,19 @@ class BoundSearch {
   /// Returns the function at a point where the triangulation is Delaunay.
   void look_at(const Site& site) {
     const PlacedTriangulation there = placed(site.triangulation, site.frame, site.point);
-    const double value = claim_ == Claim::diameter ? length_of(there.largest_enclosure())
-                         : claim_ == Claim::radius ? -length_of(there.largest_enclosure())
-                                                   : length_of(there.shortest_edge());
-    if (value <= highest_) return;
-    highest_ = value;
+    const double value = goal_.claim == Claim::diameter ? length_of(there.largest_enclosure())
+                         : goal_.claim == Claim::radius ? -length_of(there.largest_enclosure())
+                                                        : length_of(there.shortest_edge());
+    raise(value);
+    if (value <= found_) return;
+    found_ = value;
     summit_ = site.point;
   }
 
   [[nodiscard]] Bound bound(const Place& place, std::uint32_t frame, std::uint32_t k) {
     const std::array<PlacedTriangulation, 3> at{placed(k, frame, place.corner[0]), placed(k, frame, place.corner[1]),
                                                 placed(k, frame, place.corner[2])};
-    if (claim_ == Claim::diameter) {
+    if (goal_.claim == Claim::diameter) {
       double most = 0;
       for (const PlacedTriangulation& corner : at) most = std::max(most, corner.largest_enclosure());
       return {length_of(most), 0};
@@ -282,7 +297,7 @@ class BoundSearch {
       const std::optional<Site> site = moved(near, middle.point);
       if (!site) continue;
       const PlacedTriangulation there = placed(site->triangulation, site->frame, site->point);
-      if (climb_ == Climb::yes) look_at(*site);
+      if (goal_.climb == Climb::yes) look_at(*site);
       if (!there.is_strictly_delaunay()) continue;
       // sinh²(d/2) of the distance to the farthest corner.
       const auto farthest = static_cast<double>(Number((std::max(middle.half, middle.median) - 1) / 2));
@@ -297,7 +312,7 @@ class BoundSearch {
   }
 
   void add_cell(Place place, const Site& near) {
-    if (claim_ == Claim::radius) {
+    if (goal_.claim == Claim::radius) {
       add_cell_of_radius(std::move(place), near);
       return;
     }
@@ -306,10 +321,10 @@ class BoundSearch {
     Cell cell{.place = std::move(place), .site = near};
     Bound best = bound(cell.place, frame, near.triangulation);
     cell.bound_by = near.triangulation;
-    const std::optional<Site> own_site = best.value > highest_ + width_ ? moved(near, centre) : std::nullopt;
+    const std::optional<Site> own_site = best.value > highest_ + goal_.width ? moved(near, centre) : std::nullopt;
     if (own_site) {
       cell.site = *own_site;
-      if (climb_ == Climb::yes) look_at(cell.site);
+      if (goal_.climb == Climb::yes) look_at(cell.site);
       if (cell.site.triangulation != near.triangulation) {
         const Bound own = bound(cell.place, frame, cell.site.triangulation);
         if (own.value < best.value) {
@@ -345,19 +360,120 @@ class BoundSearch {
     add_cell(std::move(second), site);
   }
 
-  Claim claim_;
-  Climb climb_;
-  const BoundOptions& options_;
-  double width_;
+  Goal goal_;
   EdgeElements elements_;
   std::deque<Frame> frames_;
   std::vector<Known> known_;
   std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;  ///< By key.
   std::vector<Cell> cells_;
-  std::uint32_t roots_ = 0;
   std::priority_queue<std::pair<double, std::uint32_t>> queue_;  ///< Cells that are not cut, by bound.
   double highest_ = -std::numeric_limits<double>::infinity();
+  double found_ = -std::numeric_limits<double>::infinity();
   Point summit_{};
+};
+
+/// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
+/// the greatest value that was found plus the width. For a radius the function is minus the eccentricity.
+///
+/// Each triangle is a part with elements and triangulations of its own. Parts go on in rounds, and tell each other
+/// between rounds how great a value they found; so the result does not depend on the number of threads.
+class BoundSearch {
+ public:
+  /// Requires: the base is Delaunay.
+  BoundSearch(Triangulation& base, const Goal& goal, const BoundOptions& options)
+      : goal_(goal), options_(options), threads_(certify::thread_count(options.threads)) {
+    for (std::uint32_t t = 0; t < base.triangle_count(); ++t) parts_.emplace_back(base, t, goal);
+    share();
+  }
+
+  /// Cuts cells until the bounds are as near to each other as wanted, or a limit is reached.
+  void run() {
+    double first_gap = 0;
+    while (!is_narrow() && !at_limit()) {
+      round();
+      if (first_gap == 0 && std::isfinite(upper())) first_gap = upper() - lower();
+      if (options_.progress && first_gap > 0) {
+        options_.progress("covering", std::log(first_gap / (upper() - lower())) / std::log(first_gap / goal_.width));
+      }
+    }
+  }
+
+  /// Throws NetError unless the bounds are as near to each other as wanted.
+  void require_narrow() const {
+    if (is_narrow()) return;
+    const bool negated = goal_.claim == BoundDocument::Claim::radius;  // The maximum of the negative.
+    const certify::Interval found =
+        negated ? certify::Interval{-upper(), -lower()} : certify::Interval{lower(), upper()};
+    throw NetError("not enclosed to the width wanted with " + std::to_string(cells()) + " cells and " +
+                   std::to_string(elements()) + " edges of triangulations, only by " + to_string(found));
+  }
+
+  [[nodiscard]] double lower() const { return parts_.front().lower(); }
+  [[nodiscard]] double upper() const {
+    double result = parts_.front().upper();
+    for (const PartSearch& part : parts_) result = std::max(result, part.upper());
+    return result;
+  }
+  /// Where the greatest value was found, in the chart of the base's vertex.
+  [[nodiscard]] const Point& summit() const {
+    return std::max_element(parts_.begin(), parts_.end(),
+                            [](const PartSearch& a, const PartSearch& b) { return a.found() < b.found(); })
+        ->summit();
+  }
+
+  /// The cells and the triangulations that they use.
+  void describe(BoundDocument& document) const {
+    Triangulations triangulations;
+    for (const PartSearch& part : parts_) document.cells.push_back(part.describe(triangulations));
+    document.triangulations = triangulations.take();
+  }
+
+ private:
+  [[nodiscard]] std::size_t cells() const {
+    std::size_t result = 0;
+    for (const PartSearch& part : parts_) result += part.cells();
+    return result;
+  }
+  [[nodiscard]] std::size_t elements() const {
+    std::size_t result = 0;
+    for (const PartSearch& part : parts_) result += part.elements();
+    return result;
+  }
+  [[nodiscard]] bool is_narrow() const {
+    return std::all_of(parts_.begin(), parts_.end(), [](const PartSearch& part) { return part.is_narrow(); });
+  }
+  [[nodiscard]] bool at_limit() const { return cells() >= options_.most_cells || elements() > kMostElements; }
+
+  /// All parts learn of the greatest value.
+  void share() {
+    double highest = lower();
+    for (const PartSearch& part : parts_) highest = std::max(highest, part.lower());
+    for (PartSearch& part : parts_) part.raise(highest);
+  }
+
+  /// Cuts cells whose bounds are in the upper half of the gap, a few of each part.
+  void round() {
+    constexpr std::size_t kMostOfPart = 16;
+    const double level = lower() + (upper() - lower()) / 2;
+    std::vector<PartSearch*> open;
+    for (PartSearch& part : parts_) {
+      if (part.upper() >= level) open.push_back(&part);
+    }
+    std::stable_sort(open.begin(), open.end(),
+                     [](const PartSearch* a, const PartSearch* b) { return a->upper() > b->upper(); });
+    // A cut makes two cells.
+    const std::size_t left = (static_cast<std::size_t>(options_.most_cells) - cells() + 1) / 2;
+    certify::for_each_parallel(open.size(), threads_, [&](unsigned, std::size_t i) {
+      const std::size_t most = left / open.size() + (i < left % open.size() ? 1 : 0);
+      open[i]->cut_above(level, std::min(most, kMostOfPart));
+    });
+    share();
+  }
+
+  Goal goal_;
+  const BoundOptions& options_;
+  unsigned threads_;
+  std::deque<PartSearch> parts_;
 };
 
 /// Moves the one vertex to a point of its chart's disk, and makes the triangulation Delaunay there.
@@ -414,11 +530,11 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
   Triangulation base = delaunay_start_of_point(surface, std::nullopt).triangulation;
   {
     // What it finds is good enough if the second search succeeds, whatever this one is short of.
-    BoundSearch search(base, claim, options, options.width / 2, BoundSearch::Climb::yes);
+    BoundSearch search(base, {claim, Climb::yes, options.width / 2}, options);
     search.run();
     move_to(base, search.summit());
   }
-  BoundSearch search(base, claim, options, options.width * (1 - 1e-3), BoundSearch::Climb::no);
+  BoundSearch search(base, {claim, Climb::no, options.width * (1 - 1e-3)}, options);
   search.run();
   search.require_narrow();
   BoundDocument document;

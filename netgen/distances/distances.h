@@ -67,6 +67,7 @@ inline constexpr double kLeastBoundWidth = 1e-12;
 struct BoundOptions {
   double width = 1e-6;                 ///< The largest width of the enclosure; at least kLeastBoundWidth.
   std::uint64_t most_cells = 200'000;  ///< The most cells made.
+  unsigned threads = 0;                ///< 0: as many as the machine has cores. The result is the same for any number.
   Progress progress = {};              ///< Called occasionally, if given.
 };
 

@@ -97,7 +97,9 @@ Isometry<EdgeElements::Number> EdgeElements::isometry(Id id) const {
 }
 
 Frame::Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin)
-    : elements_(elements), to_origin_(normalized(Isometry<EdgeElements::Number>::translation(-in_disk(origin)))) {
+    : elements_(elements),
+      origin_(origin),
+      to_origin_(normalized(Isometry<EdgeElements::Number>::translation(-in_disk(origin)))) {
   assert(is_point(origin));
 }
 
@@ -105,6 +107,10 @@ Frame::Point Frame::point(const LorentzVector<EdgeElements::Number>& p) const {
   const Point v = rounded<double>(image(to_origin_, p));
   const double scale = 1 / std::sqrt((v.t - v.x) * (v.t + v.x) - v.y * v.y);
   return scale * v;
+}
+
+double Frame::cosh_distance(const LorentzVector<EdgeElements::Number>& p) const {
+  return static_cast<double>(EdgeElements::Number(-lorentz_product(origin_, p)));
 }
 
 double Frame::displacement(EdgeElements::Id id, const Point& p) {

@@ -62,6 +62,8 @@ class Frame {
   Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin);
   [[nodiscard]] const EdgeElements& elements() const { return elements_; }
   [[nodiscard]] Point point(const LorentzVector<EdgeElements::Number>& p) const;
+  /// The cosh of the distance of a point from the origin; much cheaper than the point.
+  [[nodiscard]] double cosh_distance(const LorentzVector<EdgeElements::Number>& p) const;
   /// Like the function of the elements.
   [[nodiscard]] double displacement(EdgeElements::Id id, const Point& p);
 
@@ -74,6 +76,7 @@ class Frame {
   using Page = std::array<Axis, 64>;
 
   const EdgeElements& elements_;
+  LorentzVector<EdgeElements::Number> origin_;
   Isometry<EdgeElements::Number> to_origin_;
   std::vector<std::unique_ptr<Page>> pages_;
 };

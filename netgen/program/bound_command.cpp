@@ -24,6 +24,7 @@ struct BoundRequest {
   std::string ends;
   std::string svg;
   std::string width;
+  unsigned threads = 0;
   bool json = false;
 };
 
@@ -98,12 +99,13 @@ void enclose(const BoundRequest& request, MakeBound make) {
     ProgressLine progress;
     BoundOptions options;
     options.width = width;
+    options.threads = request.threads;
     options.progress = progress.shower();
     document = make(surface, options);
   }
   {
     ProgressLine progress;
-    (void)proof_of(document, own_check(0, progress.shower()));
+    (void)proof_of(document, own_check(request.threads, progress.shower()));
   }
   const Where found = where(document.net, document.claim != certify::BoundDocument::Claim::embedded_disk);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
@@ -127,6 +129,7 @@ void add_bound_command(CLI::App& app, Job& chosen, const char* name, const char*
   command->add_option("--width", shared->width, "the width of the enclosure, a length of at least 1e-12")
       ->option_text(std::string("W [") + width + "]");
   add_file(*command, "-o,--output", shared->output, "the bound file to write, for certify; \"-\" is standard output");
+  add_threads(*command, shared->threads);
   if (with_ends) add_ends(*command, shared->ends);
   add_file(*command, "--svg", shared->svg, "also draw where the bound is attained; \"-\" is standard output");
   add_json(*command, shared->json);

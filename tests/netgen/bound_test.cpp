@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/file/writer.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distances.h"
 #include "netgen/nets/certified_net.h"
@@ -182,6 +183,39 @@ TEST(Bound, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
       EXPECT_LE(document.value.upper - document.value.lower, width);
       EXPECT_TRUE(overlap(document.value, close.value)) << width;
     }
+  }
+}
+
+TEST(Bound, IsTheSameFileForAnyNumberOfThreads) {
+  const auto text = [](const BoundDocument& document) {
+    std::ostringstream out;
+    certify::write_file(document, out);
+    return out.str();
+  };
+  for (const std::size_t i : {0u, 6u}) {
+    for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
+      const double width = make == &radius ? 0.1 : 1e-4;
+      const std::string alone = text(make(test::gallery()[i].surface, {.width = width, .threads = 1}));
+      for (const unsigned threads : {2u, 5u}) {
+        EXPECT_EQ(text(make(test::gallery()[i].surface, {.width = width, .threads = threads})), alone) << threads;
+      }
+    }
+  }
+}
+
+/// Errors too: where a search ends for want of cells does not depend on threads.
+TEST(Bound, TheLimitOfCellsIsTheSameForAnyNumberOfThreads) {
+  const auto message = [](std::uint64_t most_cells, unsigned threads) -> std::string {
+    try {
+      (void)diameter(test::gallery()[0].surface, {.width = 1e-6, .most_cells = most_cells, .threads = threads});
+    } catch (const NetError& error) {
+      return error.what();
+    }
+    return "enclosed";
+  };
+  for (const std::uint64_t most_cells : {1u, 20u, 101u, 250u}) {
+    EXPECT_NE(message(most_cells, 1), "enclosed");
+    EXPECT_EQ(message(most_cells, 3), message(most_cells, 1));
   }
 }
 
