@@ -111,7 +111,8 @@ class Refinement {
     return is_large(t) && !(collars_ != nullptr && collars_->has_triangle(t));
   }
 
-  /// Puts a new triangle on the list; if the list is for large triangles only, just those that `needs_its_centre` accepts.
+  /// Puts a new triangle on the list; if the list is for large triangles only, just those that `needs_its_centre`
+  /// accepts.
   void enter(TriangleId t) {
     if (!kLargeAlone || needs_its_centre(t)) {
       mark(triangulation_, t);

@@ -10,11 +10,13 @@
 namespace epsnet {
 namespace {
 
-/// Contracts the darts for which `contracts` is true, moving their starts into their ends, if these are different vertices.
+/// Contracts the darts for which `contracts` is true, moving their starts into their ends, if these are different
+/// vertices.
 template <class Contracts>
 class Reduction {
  public:
-  Reduction(Triangulation& triangulation, const Contracts& contracts) : triangulation_(triangulation), contracts_(contracts) {}
+  Reduction(Triangulation& triangulation, const Contracts& contracts)
+      : triangulation_(triangulation), contracts_(contracts) {}
 
   std::uint32_t run() {
     const std::uint32_t vertices = triangulation_.vertex_count();
