@@ -33,13 +33,15 @@ constexpr NamedBound kBounds[] = {{BoundDocument::Claim::diameter, "diameter", &
                                   {BoundDocument::Claim::radius, "radius", &radius},
                                   {BoundDocument::Claim::embedded_disk, "embedded-disk", &largest_embedded_disk}};
 
-SharedBound enclose(const Surface& surface, const std::string& claim, double width, const py::object& callback) {
+SharedBound enclose(const Surface& surface, const std::string& claim, double width, unsigned threads,
+                    const py::object& callback) {
   const auto* const found =
       std::find_if(std::begin(kBounds), std::end(kBounds), [&](const NamedBound& c) { return claim == c.name; });
   if (found == std::end(kBounds)) throw std::invalid_argument("there is no claim " + claim);
-  const auto search = [surface, width, make = found->make](const Progress& progress) {
+  const auto search = [surface, width, threads, make = found->make](const Progress& progress) {
     BoundOptions options;
     options.width = width;
+    options.threads = threads;
     options.progress = progress;
     return SharedBound(make(surface, options));
   };

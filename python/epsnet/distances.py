@@ -6,7 +6,7 @@ from typing import Any, Optional
 
 from . import _epsnet
 from ._annotations import Surface
-from ._arguments import Number, as_fraction, as_index, refuse
+from ._arguments import Number, as_fraction, as_index, as_threads, refuse
 from ._documents import Core, Document
 from ._progress import Progress, Shower
 from .certificates import Certificate, checked
@@ -197,13 +197,13 @@ def cover_of(core: "_epsnet.Cover", surface: Optional["Surface"], certificate: O
     return _COVERS[core.claim](core, surface, certificate)
 
 
-def cover(surface: "Surface", claim: str, width: Number, progress: Progress) -> Cover:
-    size = _width(width)
+def cover(surface: "Surface", claim: str, width: Number, threads: int, progress: Progress) -> Cover:
+    size, threads = _width(width), as_threads(threads)
     if size < _epsnet.least_bound_width:
         refuse(f"a width of at least {_epsnet.least_bound_width}", width, "width")
     with Shower(progress) as callback:
-        core = _epsnet.Cover.enclose(surface._core, claim, size, callback)
-    return cover_of(core, surface, checked(core, progress, subject=claim))
+        core = _epsnet.Cover.enclose(surface._core, claim, size, threads, callback)
+    return cover_of(core, surface, checked(core, progress, threads, subject=claim))
 
 
 def eccentricity(surface: "Surface", p: PointLike) -> Eccentricity:

@@ -613,7 +613,7 @@ class Surface(Immutable):
         """
         return distance(self, p, q, width)
 
-    def diameter(self, width: Number = 1e-6, *, progress: Progress = None) -> Diameter:
+    def diameter(self, width: Number = 1e-6, *, threads: int = 0, progress: Progress = None) -> Diameter:
         """The greatest distance of two points, in a proved interval at most ``width`` wide.
 
         >>> import epsnet
@@ -621,9 +621,9 @@ class Surface(Immutable):
         >>> diameter.proved, diameter.width <= 1e-9, round(diameter.mid, 8)
         (True, True, 2.44845245)
         """
-        return _of_kind(cover(self, "diameter", width, progress), Diameter)
+        return _of_kind(cover(self, "diameter", width, threads, progress), Diameter)
 
-    def radius(self, width: Number = 1e-2, *, progress: Progress = None) -> Radius:
+    def radius(self, width: Number = 1e-2, *, threads: int = 0, progress: Progress = None) -> Radius:
         """The least r such that a disk of radius r covers the surface, the least eccentricity, in a proved interval at most ``width`` wide.
         It takes much longer than the diameter: the time grows as 1/width.
 
@@ -632,11 +632,11 @@ class Surface(Immutable):
         >>> radius.proved, radius.width <= 0.1, 1.8 < radius.lower < radius.upper < 2.1
         (True, True, True)
         """
-        return _of_kind(cover(self, "radius", width, progress), Radius)
+        return _of_kind(cover(self, "radius", width, threads, progress), Radius)
 
-    def embedded_disk(self, width: Number = 1e-6, *, progress: Progress = None) -> EmbeddedDisk:
+    def embedded_disk(self, width: Number = 1e-6, *, threads: int = 0, progress: Progress = None) -> EmbeddedDisk:
         """The radius of the largest embedded disk, the greatest injectivity radius, in a proved interval at most ``width`` wide."""
-        return _of_kind(cover(self, "embedded-disk", width, progress), EmbeddedDisk)
+        return _of_kind(cover(self, "embedded-disk", width, threads, progress), EmbeddedDisk)
 
     def eccentricity(self, p: PointLike) -> Eccentricity:
         """The greatest distance of a point of the surface from p, in a proved interval; p must be strictly inside its tile."""
