@@ -542,7 +542,7 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
   document.net = net_above_eccentricity(base);
   // Lengths are rounded a few times; certify proves the result, with its own bounds of the value at the vertex.
   constexpr double kRounding = 2e-15;
-  const certify::Certificate certificate = proof_of(document.net);
+  const certify::Certificate certificate = proof_of(document.net, {});
   if (claim == BoundDocument::Claim::radius) {
     const double proved = certificate.enclosures->largest_circumradius.upper;
     // The bound of a cell is a difference of two lengths, each at most the diameter.

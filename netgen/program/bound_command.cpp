@@ -153,7 +153,7 @@ void measure_eccentricity(const EccentricityRequest& request) {
                                                {"--svg", request.svg, FileType::svg}});
   const SurfaceOrNet input = read_surface_or_net(request.surface);
   const certify::NetDocument net = eccentricity_net(input.surface, parse_point("P", request.p, input));
-  const certify::Certificate certificate = proof_of(net);
+  const certify::Certificate certificate = proof_of(net, {});  // With the limit by size, as `certify` has it.
   const Where found = where(net, true);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of_eccentricity(net));
   write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net, request.output, out); }},

@@ -188,7 +188,9 @@ UncertifiedNet compute(const Surface& surface, const Length& epsilon, NetOptions
 
 certify::Certificate certify_net(const certify::NetDocument& net, unsigned threads) {
   ProgressLine progress;
-  return proof_of(net, own_check(threads, progress.shower()));
+  certify::CheckOptions options = own_check(threads, progress.shower());
+  options.max_work = 0;  // The limit by size: so `certify` verifies the file without options.
+  return proof_of(net, options);
 }
 
 void check_request(const NetRequest& request) {
