@@ -1,6 +1,7 @@
 """Files that are written in one step, and documents with places for generated tables."""
 
 import os
+import subprocess
 from pathlib import Path
 
 
@@ -14,10 +15,20 @@ def write_atomically(path: Path, text: str) -> None:
     os.replace(temporary, path)
 
 
-def update(path: Path, made: dict[str, str]) -> None:
-    """Puts tables between the marks <!-- NAME --> and <!-- end --> of a document."""
+def commit(root: Path) -> str:
+    """The commit of the sources in a folder, with "-dirty" if something is not committed; "unknown" outside of a repository."""
+    try:
+        return subprocess.run(["git", "-C", root, "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"], check=True,
+                              capture_output=True, text=True).stdout.strip()
+    except (OSError, subprocess.CalledProcessError):
+        return "unknown"
+
+
+def update(path: Path, made: dict[str, str], of: str) -> None:
+    """Puts tables between the marks <!-- NAME --> and <!-- end --> of a document, each with the commit that it is of."""
     text = path.read_text(encoding="utf-8")
     for name, table in made.items():
+        table += f"\nCommit `{of}`.\n"
         begin = text.find(f"<!-- {name} -->\n")
         end = text.find("<!-- end -->", begin)
         if begin < 0 or end < 0:
