@@ -358,7 +358,8 @@ SparseMatrix::SparseMatrix(std::uint32_t size, std::vector<MatrixEntry> entries)
   entries_ = merged(std::move(entries));
 }
 
-Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, unsigned threads) const {
+Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, unsigned threads,
+                                           std::optional<std::uint64_t> wanted) const {
   budget.spend(100, entries_.size());
   // Columns are put so that each comes right after its descendants: the same factor, in another order.
   const std::vector<std::uint32_t> order = postorder(parents(rows_of(size_, entries_), size_));
@@ -421,9 +422,8 @@ Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, un
   budget.require(memory_work(sizeof(double)), most_kept);
   budget.spend(2, most_kept);
 
-  // What is set aside for rounding errors, relative to the sums: little first.
-  Inertia result;
-  for (const double share : {0x1p-32, 0x1p-26}) {
+  // `share` of the sums is set aside for rounding errors.
+  const auto factored = [&](double share) -> Inertia {
     budget.spend(1, work);
     std::vector<double> shifts(size_);
     std::vector<double> diagonal(size_);
@@ -436,16 +436,20 @@ Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, un
     Elimination elimination(size_, entries, diagonal, threads);
     for (std::size_t p = 0; p < panels.size(); ++p) elimination.eliminate(panels[p], children[p]);
 
-    result = {elimination.negative(), elimination.in_range()};
     // A little more than in the lemma, for the rounding of the sums.
     const double rounding = (most_additions(panels, parent) + 3) * 0x1.1p-53;
     const double underflow = (size_ + 3.0) * size_ * 0x1p-499;
-    for (std::uint32_t i = 0; i < size_; ++i) {
-      if (!(sums[i] < kGreatest && elimination.errors()[i] * rounding + underflow < shifts[i])) result.proved = false;
-    }
-    if (result.proved) break;
-  }
-  return result;
+    bool proved = elimination.in_range();
+    for (std::uint32_t i = 0; i < size_; ++i)
+      proved = proved && sums[i] < kGreatest && elimination.errors()[i] * rounding + underflow < shifts[i];
+    return {elimination.negative(), proved};
+  };
+  const Inertia usual = factored(0x1p-32);
+  if (!usual.proved) return factored(0x1p-26);
+  if (!wanted || (bound == Bound::upper ? usual.negative <= *wanted : usual.negative >= *wanted)) return usual;
+  // Eigenvalues of a matrix that are very near 0: little is lost by rounding if all small pivots belong to them.
+  const Inertia finer = factored(0x1p-40);
+  return finer.proved ? finer : usual;
 }
 
 }  // namespace epsnet::certify

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "certify/numbers/budget.h"
@@ -32,10 +33,12 @@ class SparseMatrix {
   SparseMatrix(std::uint32_t size, std::vector<MatrixEntry> entries);
 
   /// A number that is at least, or at most, that of the negative eigenvalues. Factors the matrix in binary64, without
-  /// pivoting, by the multifrontal method. The same for any number of threads.
+  /// pivoting, by the multifrontal method. The same for any number of threads. If this number is not what is wanted, at
+  /// most so many or at least so many, less is set aside for rounding errors, and the matrix is factored again.
   ///
   /// Work and memory are taken off the budget before they are used; BudgetSpent. Requires: rounding to nearest.
-  [[nodiscard]] Inertia negative_eigenvalues(Bound bound, const Budget& budget, unsigned threads) const;
+  [[nodiscard]] Inertia negative_eigenvalues(Bound bound, const Budget& budget, unsigned threads,
+                                             std::optional<std::uint64_t> wanted = std::nullopt) const;
 
  private:
   std::uint32_t size_;

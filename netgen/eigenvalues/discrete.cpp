@@ -7,6 +7,7 @@
 #include <cmath>
 #include <new>
 #include <numeric>
+#include <utility>
 #ifndef __EMSCRIPTEN__
 #include <metis.h>
 #endif
@@ -165,7 +166,7 @@ std::vector<std::uint32_t> elimination_order(const Matrix& lower_half) {
 }
 
 certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order, double sigma,
-                         certify::Bound bound, unsigned threads) {
+                         certify::Bound bound, unsigned threads, std::optional<std::uint64_t> wanted) {
   const Matrix shifted = matrices.energy - sigma * matrices.mass;
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
@@ -178,14 +179,14 @@ certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std:
     }
   }
   const certify::SparseMatrix matrix(static_cast<std::uint32_t>(order.size()), std::move(entries));
-  return matrix.negative_eigenvalues(bound, {}, certify::thread_count(threads));
+  return matrix.negative_eigenvalues(bound, {}, certify::thread_count(threads), wanted);
 }
 
 DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order,
                                    std::uint32_t count) {
   constexpr double kGap = 1e-5;
   constexpr Eigen::Index kMore = 8;
-  constexpr int kMostRounds = 100;
+  constexpr int kMostInVain = 3;
   const Permutation places = places_of(order);
   const ElementMatrices in_order{ordered(matrices.energy, places), ordered(matrices.mass, places)};
   const Eigen::Index size = matrices.energy.rows();
@@ -194,7 +195,7 @@ DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices, const std::v
   // Of several eigenvalues that are equal, or nearly, the method finds some; counting says whether there are others.
   DiscreteSpectrum known{{}, Eigen::MatrixXd(size, 0)};
   Eigen::Index missing = count;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int in_vain = 0; in_vain < kMostInVain;) {
     const Eigen::Index wanted = std::min(missing + kMore, size - 2 - known.vectors.cols());
     if (wanted < 1) break;
     known = merged(known, more_eigenvalues(inverse, mass, wanted));
@@ -204,15 +205,20 @@ DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices, const std::v
     while (gap < known.values.size() && known.values[gap] - known.values[gap - 1] <= kGap * known.values[gap]) ++gap;
     if (gap >= known.values.size()) continue;
     const double between = (known.values[gap - 1] + known.values[gap]) / 2;
-    const std::uint32_t below = inertia(matrices, order, between, certify::Bound::upper, 1).negative;
+    const std::uint32_t below = inertia(matrices, order, between, certify::Bound::upper, 1, gap).negative;
     if (below == gap) {
       const auto enough = static_cast<Eigen::Index>(count);
       return {{known.values.begin(), known.values.begin() + enough},
               places.transpose() * known.vectors.leftCols(enough)};
     }
-    missing = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(below) - static_cast<Eigen::Index>(gap));
+    const Eigen::Index before = std::exchange(
+        missing, std::max<Eigen::Index>(1, static_cast<Eigen::Index>(below) - static_cast<Eigen::Index>(gap)));
+    if (missing >= before) ++in_vain;
   }
-  throw NetError("Lanczos's method finds too few eigenvalues of a net");
+  throw NetError(
+      "Lanczos's method finds too few eigenvalues of a net, as around a closed geodesic that is too short for numbers "
+      "of "
+      "binary64");
 }
 
 }  // namespace epsnet

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "certify/numbers/inertia.h"
@@ -15,9 +16,11 @@ namespace epsnet {
 [[nodiscard]] std::vector<std::uint32_t> elimination_order(const Eigen::SparseMatrix<double>& lower_half);
 
 /// The inertia of energy − σ mass, by this order of elimination: a bound for how many eigenvalues of energy·x = μ
-/// mass·x, 0 included, are less than σ, and whether `certify` can prove it by this order.
+/// mass·x, 0 included, are less than σ, and whether `certify` can prove it by this order. If a number is wanted, more
+/// is done to prove that it is at most, or at least, so many.
 [[nodiscard]] certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order,
-                                       double sigma, certify::Bound bound, unsigned threads);
+                                       double sigma, certify::Bound bound, unsigned threads,
+                                       std::optional<std::uint64_t> wanted = std::nullopt);
 
 /// Eigenvalues in increasing order, and the vectors as columns.
 struct DiscreteSpectrum {

@@ -1066,6 +1066,13 @@ RC_GTEST_PROP(SparseMatrices, HaveAsManyNegativeEigenvaluesAsDenseOnes, ()) {
     const SparseMatrix matrix(size, permuted(entries, order));
     const Inertia upper = matrix.negative_eigenvalues(Bound::upper, {}, 1);
     const Inertia lower = matrix.negative_eigenvalues(Bound::lower, {}, 1);
+    // Impossible ones are wanted, so that all is done that can be done: it is still true.
+    const Inertia finer_upper = matrix.negative_eigenvalues(Bound::upper, {}, 1, 0);
+    const Inertia finer_lower = matrix.negative_eigenvalues(Bound::lower, {}, 1, size);
+    EXPECT_EQ(finer_upper.proved, upper.proved);
+    EXPECT_EQ(finer_lower.proved, lower.proved);
+    if (error == 0 && upper.proved) RC_ASSERT(finer_upper.negative >= less_than(values, -1e-9));
+    if (error == 0 && lower.proved) RC_ASSERT(finer_lower.negative <= less_than(values, 1e-9));
     // The true matrix may have any eigenvalue within the error, and less need not be proved.
     if (upper.proved) {
       RC_ASSERT(upper.negative >= less_than(values, error == 0 ? -1e-9 : 0));
@@ -1114,6 +1121,28 @@ TEST(SparseMatrices, SingularOnesAreNotProvedBetter) {
     EXPECT_TRUE(!upper.proved || upper.negative == 1);
     EXPECT_TRUE(!lower.proved || lower.negative == 0);
   }
+}
+
+/// (1, 1; 1, 1 + x) has the eigenvalue x/2, nearly: more than 2⁻⁴⁰ of the rows' sums, and less than 2⁻³².
+TEST(SparseMatrices, EigenvaluesNearZeroAreProvedIfWanted) {
+  for (const double x : {0x1p-34, -0x1p-34}) {
+    const SparseMatrix matrix(2, {{0, 0, 1, 0}, {1, 0, 1, 0}, {1, 1, 1 + x, 0}});
+    const std::uint32_t negative = x < 0 ? 1 : 0;
+    for (const Bound bound : {Bound::upper, Bound::lower}) {
+      const Inertia found = matrix.negative_eigenvalues(bound, {}, 1, negative);
+      EXPECT_TRUE(found.proved);
+      EXPECT_EQ(found.negative, negative);
+      const std::uint32_t safe = bound == Bound::upper ? 1 : 0;
+      EXPECT_EQ(matrix.negative_eigenvalues(bound, {}, 1).negative, safe);
+      // Nothing more is done for what is known.
+      EXPECT_EQ(matrix.negative_eigenvalues(bound, {}, 1, safe).negative, safe);
+    }
+  }
+  // A pivot so small that less is not enough: what was proved stays.
+  const SparseMatrix matrix(2, {{0, 0, 1e-5, 0}, {1, 0, 1, 0}, {1, 1, 1, 0}});
+  const Inertia found = matrix.negative_eigenvalues(Bound::upper, {}, 1, 0);
+  EXPECT_TRUE(found.proved);
+  EXPECT_EQ(found.negative, 1U);
 }
 
 TEST(SparseMatrices, PivotsNearZeroAreNotProved) {

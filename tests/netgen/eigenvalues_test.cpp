@@ -10,6 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,7 @@ namespace {
 
 using certify::Ball;
 using certify::EigenvaluesDocument;
+using certify::Interval;
 using certify::NetDocument;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -593,6 +595,42 @@ TEST(SlowEigenvalues, OfLargeTrianglesAreVerified) {
 TEST(Eigenvalues, NetsTooCoarseForFunctionsAreErrors) {
   EXPECT_THAT([] { (void)eigenvalues(octagon().surface, {.count = 1, .epsilon = Length("1.2")}); },
               ThrowsMessage<NetError>(HasSubstr("epsilon is more than 1, which is too much for more than 2 digits")));
+}
+
+TEST(Eigenvalues, NearZeroAreNotSoughtInVain) {
+  for (const char* length : {"0.00001", "0.00000001"}) {
+    EXPECT_THAT([&] { (void)eigenvalues(with_cuff(length), {.below = 0.25}); },
+                ThrowsMessage<NetError>(HasSubstr("around a closed geodesic that is")));
+    EXPECT_THAT([&] { (void)eigenvalues(with_cuff(length), {.count = 1, .digits = 1}); },
+                ThrowsMessage<NetError>(HasSubstr("around a closed geodesic that is")));
+  }
+}
+
+/// Of numbers that are far below what is set aside for rounding in most matrices.
+TEST(Eigenvalues, VeryNearZeroAreEnclosed) {
+  for (const auto& [text, length, width] : {std::tuple{"0.001", 0.001, 0.01}, std::tuple{"0.0001", 0.0001, 0.05}}) {
+    const EigenvaluesDocument document = eigenvalues(with_cuff(text), {.count = 1, .digits = 2});
+    EXPECT_TRUE(is_verified(document));
+    ASSERT_EQ(document.eigenvalues.size(), 1U);
+    const Interval in = document.eigenvalues[0].in;
+    EXPECT_LT(in.upper - in.lower, width * in.upper) << text;
+    // λ_1 is about ℓ/π², and in fact a little more.
+    EXPECT_GT(in.upper, length / (std::numbers::pi * std::numbers::pi)) << text;
+    EXPECT_LT(in.lower, 1.01 * length / (std::numbers::pi * std::numbers::pi)) << text;
+  }
+}
+
+/// The regular map of type {3, 8} and genus 10 of which the rotations are AGL(2, 3), as permutations of the nine points
+/// of a plane: its first eigenvalue has the greatest multiplicity that is known here.
+TEST(Eigenvalues, OneOfSixteenIsFoundWithAllOthers) {
+  const DartMap map = map_of_group({1, 3, 8, 0, 5, 7, 2, 4, 6}, {0, 1, 2, 6, 7, 8, 3, 4, 5});
+  EXPECT_EQ(map.rotation.size(), 432U);
+  const Surface surface = surface_of_map(map);
+  EXPECT_EQ(surface.genus(), 10U);
+  const EigenvaluesDocument document = eigenvalues(surface, {.count = 1, .digits = 1});
+  EXPECT_TRUE(is_verified(document));
+  ASSERT_EQ(document.eigenvalues.size(), 1U);
+  EXPECT_EQ(document.eigenvalues[0].count, 16U);
 }
 
 /// Which one is the last of so many that are equal does not matter.

@@ -115,10 +115,12 @@ class EigenvaluesCheck {
             kMost, i,
             "the eigenvalues that are counted are those less than " + decimal_below(outer_interval(reached).lower));
       }
+      // 0 is counted, too.
+      const std::uint64_t most = std::uint64_t{rows[i].count} + 1;
       const Inertia inertia = matrix(*forms, opposite_sides(halved.sides), document_.side_order, rows[i].sigma)
-                                  .negative_eigenvalues(Bound::upper, budget_, threads_);
+                                  .negative_eigenvalues(Bound::upper, budget_, threads_, most);
       if (!inertia.proved) return undecided(kMost, i, kTooNear);
-      if (inertia.negative > std::uint64_t{rows[i].count} + 1)
+      if (inertia.negative > most)
         return undecided(kMost, i, "at most " + std::to_string(inertia.negative - 1) + " follows");
     }
     return {kMost, Verdict::verified, counted(rows.size(), "count", "counts")};
@@ -135,10 +137,11 @@ class EigenvaluesCheck {
     const auto& rows = document_.at_least;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       progress(kLeast, i, rows.size());
+      const std::uint64_t least = std::uint64_t{rows[i].count} + 1;
       const Inertia inertia = matrix(*forms, halved.vertices, document_.vertex_order, rows[i].below)
-                                  .negative_eigenvalues(Bound::lower, budget_, threads_);
+                                  .negative_eigenvalues(Bound::lower, budget_, threads_, least);
       if (!inertia.proved) return undecided(kLeast, i, kTooNear);
-      if (inertia.negative < std::uint64_t{rows[i].count} + 1) {
+      if (inertia.negative < least) {
         return undecided(
             kLeast, i,
             inertia.negative < 2 ? "nothing follows" : "at least " + std::to_string(inertia.negative - 1) + " follows");
