@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# Installs a build and uses it as users do: README.md's programs and examples/ by find_package(epsnet) and by pkg-config, every header alone,
+# Installs a build and uses it as users do: docs/quickstart.md's programs and examples/ by find_package(epsnet) and by pkg-config, every header alone,
 # the programs in a prefix that was moved. The examples print what their comments say.
 set(installed ${scratch}/installed)
 set(prefix ${scratch}/prefix)
@@ -34,7 +34,7 @@ endif()
 
 set(configure ${CMAKE_COMMAND} -G ${generator} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix}
   --no-warn-unused-cli)
-run(${configure} -S ${source}/tests/install/consumer -B ${scratch}/consumer -D README=${source}/README.md)
+run(${configure} -S ${source}/tests/install/consumer -B ${scratch}/consumer -D DOCUMENT=${source}/docs/quickstart.md)
 run(${CMAKE_COMMAND} --build ${scratch}/consumer)
 run(${CMAKE_COMMAND} --build ${scratch}/consumer --target examples)
 
