@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -157,6 +158,17 @@ auto blaming_the_source(const std::string& file, const OfFile& of_file, const Ma
   }
 }
 
+/// Says which symmetries rounding may have taken away.
+void name_rounded_twists(const FenchelNielsen& coordinates) {
+  const std::vector<std::size_t> edges = rounded_symmetric_twists(coordinates);
+  if (edges.empty()) return;
+  std::cerr << "rounded: the twist";
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    std::cerr << (i == 0 ? (edges.size() > 1 ? "s of edges " : " of edge ") : ", ") << edges[i];
+  std::cerr << (edges.size() > 1 ? " are" : " is")
+            << " 0 or half of the length only up to 2^-50 lengths: reflections may be lost\n";
+}
+
 void make_fenchel_nielsen(const FenchelNielsenCommand& command) {
   check_surface_files({{"--from", command.file}}, command);
   FenchelNielsenRequest request = command.coordinates;
@@ -179,7 +191,10 @@ void make_fenchel_nielsen(const FenchelNielsenCommand& command) {
       if (!given.lengths.empty()) request.lengths = given.lengths;
       if (!given.twists.empty()) request.twists = given.twists;
     }
-    return fenchel_nielsen_surface(resolve(request));
+    const FenchelNielsen coordinates = resolve(request);
+    Surface made = fenchel_nielsen_surface(coordinates);
+    name_rounded_twists(coordinates);
+    return made;
   });
   write_surface_file(surface, command);
 }

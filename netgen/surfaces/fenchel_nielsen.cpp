@@ -76,11 +76,20 @@ Pants pants(const std::array<Rational, 3>& r) {
           {Matrix{1, 0, 0, 1}, axis((1 / r2 - d) / c, (r2 - d) / c), axis((-r1 * r3 - d) / c, (-r1 / r3 - d) / c)}};
 }
 
-/// Returns the height f of the mark of cuff k: N_k(i f) is the foot of the common perpendicular with cuff k + 1. f² is
-/// the product of the ends of the axis of cuff k + 1 in the coordinates where that of cuff k runs from 0 to ∞.
-Mp1024 mark(const Pants& p, std::uint32_t k) {
+/// Returns the square of the height f of the mark of cuff k: N_k(i f) is the foot of the common perpendicular with cuff
+/// k + 1. It is the product of the ends of the axis of cuff k + 1 in the coordinates where that of cuff k runs from 0
+/// to ∞.
+Rational squared_mark(const Pants& p, std::uint32_t k) {
   const Matrix other = inverse(p.axis[k]) * p.axis[(k + 1) % 3];
-  return sqrt(Mp1024(Rational((other.b / other.d) * (other.a / other.c))));
+  return (other.b / other.d) * (other.a / other.c);
+}
+
+/// The square root of a positive number, if it is rational.
+std::optional<Rational> rational_root(const Rational& x) {
+  const Integer above = sqrt(numerator(x));
+  const Integer below = sqrt(denominator(x));
+  if (above * above != numerator(x) || below * below != denominator(x)) return std::nullopt;
+  return Rational(above, below);
 }
 
 Complex<Rational> to_disk(const Complex<Rational>& z) {
@@ -140,21 +149,68 @@ void check(const FenchelNielsen& coordinates) {
   }
 }
 
+/// All pairs of pants, and r = exp(length/2) of each edge.
+struct Construction {
+  std::vector<Rational> r;
+  std::vector<Pants> pieces;
+};
+
+/// Requires: `check`.
+Construction construction(const FenchelNielsen& coordinates) {
+  Construction result;
+  const PantsGraph& graph = coordinates.graph;
+  std::vector<Rational>& r = result.r;
+  for (const Rational& length : coordinates.lengths) {
+    // Rounding r − 1 keeps the relative accuracy of short lengths: d ln r ≤ dr and r − 1 ≤ ½ length · r.
+    r.push_back(1 + simplest_near(expm1(Mp1024(Rational(length / 2))), 52));
+  }
+  for (std::uint32_t p = 0; p < graph.pants_count(); ++p)
+    result.pieces.push_back(pants({r[graph.edge_at(p, 0)], r[graph.edge_at(p, 1)], r[graph.edge_at(p, 2)]}));
+  return result;
+}
+
+/// The twist of an edge as a share of its length, from −½ to less than ½.
+Rational share_of_twist(const FenchelNielsen& coordinates, std::size_t e) {
+  const Rational turns = coordinates.twists[e] / coordinates.lengths[e] + Rational(1, 2);
+  Integer whole = numerator(turns) / denominator(turns);
+  if (Rational(whole) > turns) --whole;
+  return turns - Rational(whole) - Rational(1, 2);
+}
+
+/// A twist that a reflection may fix.
+bool is_symmetric(const Rational& share) { return share == 0 || share == Rational(-1, 2); }
+
+/// The product of heights that gives a symmetric twist exactly, f f′ or f f′/r, if it is rational, as it is between
+/// equal cuffs of equal pants.
+std::optional<Rational> exact_product(const Construction& made, const PantsGraph::Edge& edge, const Rational& r,
+                                      const Rational& share) {
+  const auto& [first, second] = edge;
+  std::optional<Rational> product = rational_root(squared_mark(made.pieces[first.pants], first.cuff) *
+                                                  squared_mark(made.pieces[second.pants], second.cuff));
+  if (product && share != 0) *product /= r;
+  return product;
+}
+
 }  // namespace
+
+std::vector<std::size_t> rounded_symmetric_twists(const FenchelNielsen& coordinates) {
+  check(coordinates);
+  const Construction made = construction(coordinates);
+  std::vector<std::size_t> result;
+  for (std::size_t e = 0; e < made.r.size(); ++e) {
+    const Rational share = share_of_twist(coordinates, e);
+    if (is_symmetric(share) && !exact_product(made, coordinates.graph.edges()[e], made.r[e], share))
+      result.push_back(e);
+  }
+  return result;
+}
 
 Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
   check(coordinates);
   const PantsGraph& graph = coordinates.graph;
   const std::size_t n = graph.edges().size();
-  std::vector<Rational> r;
-  for (const Rational& length : coordinates.lengths) {
-    // Rounding r − 1 keeps the relative accuracy of short lengths: d ln r ≤ dr and r − 1 ≤ ½ length · r.
-    r.push_back(1 + simplest_near(expm1(Mp1024(Rational(length / 2))), 52));
-  }
-  std::vector<Pants> pieces;
-  for (std::uint32_t p = 0; p < graph.pants_count(); ++p) {
-    pieces.push_back(pants({r[graph.edge_at(p, 0)], r[graph.edge_at(p, 1)], r[graph.edge_at(p, 2)]}));
-  }
+  const Construction made = construction(coordinates);
+  const auto& [r, pieces] = made;
 
   std::vector<std::array<Rational, 3>> y(pieces.size());
   std::vector<Gluing> gluing;
@@ -169,21 +225,19 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
   for (std::size_t e = 0; e < n; ++e) {
     const auto& [first, second] = graph.edges()[e];
     const Rational& length = coordinates.lengths[e];
-    // The twist modulo the length, between −½ and ½ of it.
-    const Rational turns = coordinates.twists[e] / length + Rational(1, 2);
-    Integer whole = numerator(turns) / denominator(turns);
-    if (Rational(whole) > turns) {
-      --whole;
-    }
-    const Rational twist = coordinates.twists[e] - length * Rational(whole);
+    const Rational share = share_of_twist(coordinates, e);
+    const Rational twist = share * length;
     // The base points lie at the heights y on the two sides; gluing them gives the twist ln(y y'/(f f')). Only the
     // product matters, so the first height may be rough, as long as its error is small compared with the cuff.
     const int cuff_bits = std::max(3, 3 - static_cast<int>(ilogb(Mp1024(length))));
     const Mp1024 half_turn = exp(Mp1024(Rational(twist / 2)));
-    const Mp1024 f = mark(pieces[first.pants], first.cuff);
-    const Mp1024 f2 = mark(pieces[second.pants], second.cuff);
+    const Mp1024 f = sqrt(Mp1024(squared_mark(pieces[first.pants], first.cuff)));
+    const Mp1024 f2 = sqrt(Mp1024(squared_mark(pieces[second.pants], second.cuff)));
     const Rational own = simplest_near(f * half_turn, cuff_bits);
-    const Rational other = simplest_near(f * f2 * half_turn * half_turn / Mp1024(own), cuff_bits + 49);
+    const std::optional<Rational> exact =
+        is_symmetric(share) ? exact_product(made, graph.edges()[e], r[e], share) : std::nullopt;
+    const Rational other =
+        exact ? *exact / own : simplest_near(f * f2 * half_turn * half_turn / Mp1024(own), cuff_bits + 49);
     y[first.pants][first.cuff] = own;
     y[second.pants][second.cuff] = other;
     gluing.push_back({first.pants, kCuffSide[first.cuff], second.pants, kCuffSide[second.cuff]});

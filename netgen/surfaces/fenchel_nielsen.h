@@ -94,13 +94,19 @@ class CoordinateError : public SurfaceError {
 
 /// Returns the exact surface with these coordinates. It has 2g − 2 convex heptagons with rational vertices, each a pair
 /// of pants cut open. Its lengths differ from the given ones by a factor within 1 ± 2⁻⁵⁰. Its twists, taken modulo the
-/// lengths, differ by at most 2⁻⁵⁰ lengths.
+/// lengths, differ by at most 2⁻⁵⁰ lengths; equal lengths stay equal, and twists by 0 or half of the length are exact
+/// but for those that rounded_symmetric_twists lists.
 ///
 /// Scheme: r = exp(length/2) is rounded to a rational number. Then the axes of the cuffs have rational ends, and every
 /// pair of pants and every gluing is a rational matrix. docs/fenchel-nielsen.md derives it. Linear in the genus. Throws
 /// SurfaceError unless there are as many lengths and twists as edges. Throws CoordinateError for a length outside
 /// [1e-25, 100].
 [[nodiscard]] Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates);
+
+/// The edges with a twist of 0 or half of the length, modulo the length, that the surface has only up to rounding:
+/// symmetries that it owes to them may be lost. None between equal cuffs of equal pairs of pants. Throws as
+/// fenchel_nielsen_surface does.
+[[nodiscard]] std::vector<std::size_t> rounded_symmetric_twists(const FenchelNielsen& coordinates);
 
 /// Returns random coordinates on a graph: lengths uniform in [1, 4], twists uniform in [0, length). A seed gives the
 /// same coordinates on every machine.

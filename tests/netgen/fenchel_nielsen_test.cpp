@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "netgen/base/gmp.h"
+#include "netgen/isometries/isometries.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::fenchel_nielsen_test {
@@ -137,6 +138,35 @@ TEST(FenchelNielsen, AFullTurnIsTheSameSurface) {
   coordinates.twists[2] -= coordinates.lengths[2];
   EXPECT_EQ(fenchel_nielsen_surface(coordinates).tiles(), surface.tiles());
   EXPECT_EQ(fenchel_nielsen_surface(coordinates).about(), surface.about());
+}
+
+FenchelNielsen with(const char* graph, std::vector<Rational> lengths, std::vector<Rational> twists) {
+  return {PantsGraph::parse(graph), std::move(lengths), std::move(twists)};
+}
+
+/// Two equal pairs of pants, glued with no twist: the symmetries of one of them, a triangle's, which also exchange
+/// front and back, and the exchange of the two. With twists by half of the lengths, marks still meet perpendiculars.
+TEST(FenchelNielsen, SymmetriesOfTwistsAreExact) {
+  const std::vector<std::pair<FenchelNielsen, std::size_t>> surfaces{
+      {with("0-1 0-1 0-1", {2, 2, 2}, {0, 0, 0}), 24},
+      {with("0-1 0-1 0-1", {2, 2, 2}, {1, 1, 1}), 24},
+      {with("0-1 0-1 0-1", {2, 2, 2}, {2, -1, 3}), 8},
+      {with("0-1 0-1 0-1", {2, 3, Rational(5, 2)}, {0, 0, 0}), 4},
+      {with("0-0 0-1 1-1", {2, 1, 2}, {0, 0, 0}), 8},
+      {with("0-1 0-1 0-1", {2, 2, 2}, {Rational(1, 10), Rational(2, 10), Rational(3, 10)}), 2},
+  };
+  for (const auto& [coordinates, order] : surfaces) {
+    EXPECT_TRUE(rounded_symmetric_twists(coordinates).empty());
+    EXPECT_EQ(isometries(fenchel_nielsen_surface(coordinates)).size(), order);
+  }
+}
+
+TEST(FenchelNielsen, TwistsThatAreNotExactAreNamed) {
+  // Pants with the cuffs 2, 2, 1 and 1, 3, 3: edge 1 joins different pants; edges 0 and 2 cuffs of one.
+  const FenchelNielsen coordinates = with("0-0 0-1 1-1", {2, 1, 3}, {Rational(1, 3), Rational(1, 2), Rational(1, 3)});
+  EXPECT_EQ(rounded_symmetric_twists(coordinates), std::vector<std::size_t>{1});
+  // Whatever is not symmetric is rounded anyway.
+  EXPECT_TRUE(rounded_symmetric_twists(with("0-0 0-1 1-1", {2, 1, 3}, {1.5, Rational(1, 3), 0.25})).empty());
 }
 
 TEST(FenchelNielsen, TheSurfaceSaysWhatItIs) {
