@@ -26,15 +26,12 @@ class CurveError : public Error {
  public:
   /// For curve `number`, counted from 0.
   CurveError(std::size_t number, const std::string& problem)
-      : Error("curve " + std::to_string(number) + ": " + problem), number_(number), problem_(problem) {}
+      : Error(certify::ErrorParts{.place = "curve " + std::to_string(number), .problem = problem}), number_(number) {}
   /// The number of the curve.
   [[nodiscard]] std::size_t number() const { return number_; }
-  /// The problem, without the number.
-  [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
   std::size_t number_;
-  std::string problem_;
 };
 
 /// Options of a pants decomposition.

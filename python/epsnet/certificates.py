@@ -132,10 +132,10 @@ def checked(document: Any, progress: Progress, threads: int = 0, *, subject: str
     return required(certificate, subject)
 
 
-def required(certificate: Certificate, subject: str) -> Certificate:
-    """The certificate, if it is verified."""
+def required(certificate: Certificate, subject: str, file: Optional[str] = None) -> Certificate:
+    """The certificate, if it is verified. `subject` is what it is of, `file` the name of the file."""
     if not certificate.verified:
-        raise NotVerifiedError(f"{subject}: not verified: {certificate}", certificate)
+        raise NotVerifiedError(f"{subject}: not verified: {certificate}", certificate, file)
     return certificate
 
 

@@ -216,7 +216,7 @@ class Net(Document):
         check, shower = as_flag(check, "check"), Shower(progress)
         name, core = read(path)
         if not isinstance(core, _epsnet.Net):
-            raise FormatError(f"{name}: format: expected a net file, not {type(core).__name__}")
+            raise FormatError(f"expected a net file, not {type(core).__name__}", file=name, place="format")
         return cls(core, None, certified(core, name, shower) if check else None)
 
     def save(self, path: Path) -> None:

@@ -946,6 +946,32 @@ TEST(Reader, FilesThatCannotBeReadAreNoFiles) {
   EXPECT_EQ(why("/dev/zero"), "\"/dev/zero\": is a device, expected a file");
 }
 
+TEST(Reader, ErrorsHaveParts) {
+  const auto expect = [](const auto& parse, const ErrorParts& parts) {
+    try {
+      static_cast<void>(parse());
+      FAIL();
+    } catch (const LocatedError& error) {
+      EXPECT_EQ(error.file(), "test");
+      EXPECT_EQ(error.place(), parts.place);
+      EXPECT_EQ(error.problem(), parts.problem);
+      EXPECT_EQ(error.expected(), parts.expected);
+      EXPECT_EQ(error.what(), "test: " + parts.place + ": " + parts.reason());
+    }
+  };
+  expect([] { return parse_file<NetDocument>("{}", "test"); },
+         {.place = "net", .problem = "missing member \"format\""});
+  expect([] { return parse_file<NetDocument>(R"({"format" 1})", "test"); },
+         {.place = "net", .problem = "\"1\" found", .expected = "\":\" behind the name of a member"});
+  expect([] { return parse_file<SurfaceDocument>(surface_text(R"({"kind": "tiles", "gluing": [[0, "x"]]})"), "test"); },
+         {.place = "surface.gluing[0]",
+          .problem = "\"\\\"\" found",
+          .expected = "an index: an integer >= 0 without sign, fraction or exponent"});
+  // Of the structure, which is examined when all is read.
+  expect([] { return parse_file<ClaimDocument>(replaced(kSmallGeodesics, "[0,3,0,2]", "[0,3,9,2]"), "test"); },
+         {.place = "surface.gluing[1]", .problem = "tile 9 does not exist", .expected = "less than 1"});
+}
+
 TEST(Reader, ComplaintsNameThePathAsGiven) {
   const std::string path = std::string(EPSNET_TEST_DATA) + "/certify/malformed/empty.json";
   try {
