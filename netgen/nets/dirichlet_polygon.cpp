@@ -59,7 +59,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
 
   DirichletPolygon polygon;
   polygon.triangulation = net_document(triangulation, Length(std::floor(largest_circumradius) + 2));
-  const std::vector<std::uint32_t> ties = proof_of(polygon.triangulation, {}).ties;
+  const std::vector<std::uint32_t> ties = proof_of(polygon.triangulation).ties;
   polygon.ties = static_cast<std::uint32_t>(ties.size());
   std::map<Dart, std::uint32_t> side_of;
   for (std::size_t k = 0; k < n; ++k) {

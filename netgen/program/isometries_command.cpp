@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -49,26 +50,37 @@ IsometryOptions options_of(const IsometriesRequest& request, ProgressLine& progr
   return result;
 }
 
+/// The isometries of a surface, with the file that proves that they are all, if there is one.
+struct Isometries {
+  IsometryGroup group;
+  std::optional<certify::IsometriesDocument> proof;
+  certify::Certificate certificate;
+};
+
 void list_isometries(const IsometriesRequest& request) {
   check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
   const Surface surface = read_surface_input(request.surface);
-  const auto [group, proof] = [&] {
+  const auto [group, proof, certificate] = [&] {
     ProgressLine progress;
     const IsometryOptions options = options_of(request, progress);
     IsometryGroup found = isometries(surface, options);
-    CertifiedIsometries certified = certified_isometries(surface, found, options);
-    return std::pair(std::move(found), std::move(certified));
+    try {
+      auto [document, verified] = certified_isometries(surface, found, options);
+      return Isometries{std::move(found), std::move(document), std::move(verified)};
+    } catch (const NotCertifiedError& error) {
+      if (!request.output.empty()) throw;
+      return Isometries{std::move(found), std::nullopt, error.certificate()};
+    }
   }();
-  const std::string verdict = certify::verdict_line(proof.certificate);
-  const bool proved = proof.certificate.verdict == certify::Verdict::verified;
-  if (!proved && !request.output.empty()) throw JobError("not certified: " + verdict + "; nothing was written");
+  const std::string verdict = certify::verdict_line(certificate);
+  const certify::GeodesicsDocument& geodesics = proof ? *proof : group.geodesics();
   const std::vector<Word> words = generator_words(surface);
   const auto preserving = group.orientation_preserving();
   const std::string name = group.name();
   Report report;
   if (request.json) {
     Json& json = report.json;
-    json["verdict"] = certify::name(proof.certificate.verdict);
+    json["verdict"] = certify::name(certificate.verdict);
     json["order"] = group.size();
     json["orientation_preserving"] = preserving;
     if (!name.empty()) json["name"] = name;
@@ -103,17 +115,16 @@ void list_isometries(const IsometriesRequest& request) {
           << orientation_text(group.isometries()[g].preserves_orientation) << '\n';
       write_images(out, words, group.isometries()[g]);
     }
-    out << "closed geodesics used: " << proof.document.geodesics.size() << ", of length at most "
-        << proof.document.up_to << '\n';
-    if (!proved) {
+    out << "closed geodesics used: " << geodesics.geodesics.size() << ", of length at most " << geodesics.up_to << '\n';
+    if (!proof) {
       out << "each of these is an isometry, decided by exact numbers; that there is no other one is computed with 256 "
              "bits\n";
     }
     report.text = out.str();
   }
-  write_outputs({{request.output, [&proof = proof](std::ostream& out) { certify::write_file(proof.document, out); }}});
+  write_outputs({{request.output, [&proof = proof](std::ostream& out) { certify::write_file(*proof, out); }}});
   write_report(report, request.json, is_stdout(request.output));
-  if (!proved) throw UndecidedError(verdict);
+  if (!proof) throw UndecidedError(verdict);
 }
 
 const char* answer_text(IsometricAnswer::Kind kind) {

@@ -8,6 +8,7 @@
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants.h"
+#include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "python/binding/binding.h"
 #include "triangulation/surface/error.h"
@@ -18,18 +19,24 @@ namespace {
 
 using Parts = certify::ErrorParts;
 
-/// Raises the class of epsnet.errors.
-void raise(const char* name, const std::string& text, const Parts& parts) {
-  const auto given = [](const std::string& part) { return part.empty() ? py::object(py::none()) : py::str(part); };
+/// Raises the class of this name of epsnet.errors, which `make` makes an exception of.
+template <class Make>
+void raise_made(const char* name, const Make& make) {
   try {
     const py::object type = py::module_::import("epsnet.errors").attr(name);
-    const py::object error =
-        type(parts.reason(), py::arg("file") = given(parts.file), py::arg("place") = given(parts.place),
-             py::arg("expected") = given(parts.expected), py::arg("text") = text);
+    const py::object error = make(type);
     PyErr_SetObject(type.ptr(), error.ptr());
   } catch (py::error_already_set& problem) {
     problem.restore();
   }
+}
+
+void raise(const char* name, const std::string& text, const Parts& parts) {
+  const auto given = [](const std::string& part) { return part.empty() ? py::object(py::none()) : py::str(part); };
+  raise_made(name, [&](const py::object& type) {
+    return type(parts.reason(), py::arg("file") = given(parts.file), py::arg("place") = given(parts.place),
+                py::arg("expected") = given(parts.expected), py::arg("text") = text);
+  });
 }
 
 void raise(const char* name, const certify::LocatedError& error) { raise(name, error.what(), error.parts()); }
@@ -40,6 +47,13 @@ void raise(const char* name, const std::string& problem, const std::string& plac
 }
 
 void raise(const char* name, const std::exception& error) { raise(name, error.what(), Parts{.problem = error.what()}); }
+
+void raise(const NotCertifiedError& error) {
+  raise_made("NotVerifiedError", [&](const py::object& type) {
+    const py::object certificate = py::module_::import("epsnet.certificates").attr("Certificate");
+    return type(error.what(), certificate(error.certificate()));
+  });
+}
 
 }  // namespace
 
@@ -57,6 +71,8 @@ void bind_errors(py::module_&) {
       raise("SurfaceError", error.what(), "graph");
     } catch (const CurveError& error) {
       raise("ArgumentError", error);
+    } catch (const NotCertifiedError& error) {
+      raise(error);
     } catch (const NetError& error) {
       raise("NetError", error);
     } catch (const LimitError& error) {
