@@ -11,18 +11,14 @@
 int main() {
   const epsnet::Surface bolza = epsnet::Surface::regular(2);
 
-  // The search is in floating point, and what it returns is not proved yet. The checker proves that the geodesic
-  // exists, that its length lies in the interval, and that there is no shorter one.
-  const epsnet::certify::GeodesicsDocument shortest = epsnet::systole(bolza);
-  const epsnet::certify::Certificate certificate = epsnet::certify::check(shortest);
+  // The search is in floating point. The checker proves what it finds: that the geodesic exists, that its length lies
+  // in the interval, and that there is no shorter one. If it cannot, there is an epsnet::NotCertifiedError.
+  const auto [shortest, certificate] = epsnet::systole(bolza);
   const epsnet::certify::Interval length = shortest.geodesics[0].length;
   std::cout << "systole: " << to_string(length) << ", " << epsnet::certify::name(certificate.verdict) << '\n';
 
   // All primitive closed geodesics up to a length, up to orientation, in clusters of lengths that are not told apart.
-  const epsnet::certify::GeodesicsDocument spectrum = epsnet::spectrum(bolza, epsnet::Length("5"));
-  if (epsnet::certify::check(spectrum).verdict != epsnet::certify::Verdict::verified) {
-    return 1;
-  }
+  const epsnet::certify::GeodesicsDocument spectrum = epsnet::spectrum(bolza, epsnet::Length("5")).document;
   for (const epsnet::certify::GeodesicsDocument::Cluster& cluster : spectrum.clusters) {
     const epsnet::certify::GeodesicsDocument::ClosedGeodesic& first = spectrum.geodesics[cluster.first];
     std::cout << cluster.count << (cluster.count == 1 ? " geodesic" : " geodesics") << " of length in "

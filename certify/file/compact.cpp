@@ -29,11 +29,12 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kChecksumBytes = 8;
 constexpr const char* kDamaged = "the file was damaged, or is not complete: its checksum is another";
 
-[[noreturn]] void fail(const char* place, const std::string& problem) {
-  throw MalformedError(std::string(place) + ": " + problem);
+[[noreturn]] void fail(const std::string& place, const std::string& problem, const std::string& expected = {}) {
+  throw MalformedError(ErrorParts{.place = place, .problem = problem, .expected = expected});
 }
-[[noreturn]] void fail(const char* place, std::size_t row, const std::string& problem) {
-  fail((std::string(place) + "[" + std::to_string(row) + "]").c_str(), problem);
+[[noreturn]] void fail(const char* place, std::size_t row, const std::string& problem,
+                       const std::string& expected = {}) {
+  fail(std::string(place) + "[" + std::to_string(row) + "]", problem, expected);
 }
 
 /// The little-endian number in some bytes.
@@ -102,7 +103,7 @@ class Parts {
 
 std::size_t width_of(std::uint32_t written, const char* place) {
   if (written != 1 && written != 2 && written != 4) {
-    fail(place, "a width of " + std::to_string(written) + " bytes, expected 1, 2 or 4");
+    fail(place, "a width of " + std::to_string(written) + " bytes", "1, 2 or 4");
   }
   return written;
 }
@@ -153,9 +154,8 @@ void read_triangles(Parts& parts, std::uint32_t count, std::size_t label_width, 
     // Of the darts not yet paired each one names its partner, which comes later.
     while (triangles[dart.triangle].opposite[dart.edge] != kNone) ++dart;
     if (other <= dart.number || other >= darts || triangles[other / 3].opposite[other % 3] != kNone) {
-      fail("opposites", pair,
-           "the opposite of dart " + std::to_string(dart.number) + " is " + std::to_string(other) +
-               ", expected a later dart that has none");
+      fail("opposites", pair, "the opposite of dart " + std::to_string(dart.number) + " is " + std::to_string(other),
+           "a later dart that has none");
     }
     triangles[dart.triangle].opposite[dart.edge] = static_cast<std::uint32_t>(other);
     triangles[other / 3].opposite[other % 3] = static_cast<std::uint32_t>(dart.number);
@@ -175,7 +175,7 @@ void read_triangles(Parts& parts, std::uint32_t count, std::size_t label_width, 
     while (((static_cast<unsigned char>(labelled[next / 8]) >> (next % 8)) & 1U) == 0) {
       next += next % 8 == 0 && labelled[next / 8] == 0 ? 8 : 1;
     }
-    if (label == 0) fail("labels of corners", read, "0, expected another, as the corner is said to have one");
+    if (label == 0) fail("labels of corners", read, "0", "another, as the corner is said to have one");
     triangles[next / 2].label[next % 2] = label;
     ++next;
     ++read;
@@ -188,7 +188,7 @@ NetDocument read_parts(Parts& parts, const ReadHead& read_head) {
   parts.take(kCompactMagic.size());
   const std::uint32_t version = parts.word("header");
   if (version != 1) {
-    fail("header", "version " + std::to_string(version) + " is not a version this program reads, expected 1");
+    fail("header", "version " + std::to_string(version) + " is not a version this program reads", "1");
   }
   const std::uint32_t head_size = parts.word("header");
   const std::uint32_t vertices = parts.word("header");
@@ -199,7 +199,7 @@ NetDocument read_parts(Parts& parts, const ReadHead& read_head) {
   parts.expect(head_size, "head");
   NetDocument document = read_head(parts.take(head_size));
   if (!document.vertices.empty() || !document.triangles.empty()) {
-    fail("head", "vertices or triangles in the JSON text, expected none");
+    fail("head", "vertices or triangles in the JSON text", "none");
   }
   read_vertices(parts, vertices, chart_width, document);
   read_triangles(parts, triangles, label_width, document);

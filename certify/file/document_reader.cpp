@@ -58,23 +58,23 @@ class Reader {
   template <class Root>
   void read_all(Root& root) {
     try {
-      if (json_.at_end()) fail("the input is empty, expected an object");
+      if (json_.at_end()) fail("the input is empty", "an object");
       read(root);
       place_ = kDocument;
       if (!json_.at_end()) fail("text after the end of the document");
     } catch (const JsonError& error) {
-      fail(error.what());
+      fail(error.problem(), error.expected());
     }
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem) const { throw MalformedError(place_.text() + ": " + problem); }
-
-  [[noreturn]] void fail_to_find(std::string_view expected) {
-    fail(json_.found() + " found, expected " + std::string(expected));
+  [[noreturn]] void fail(const std::string& problem, const std::string& expected = {}) const {
+    throw MalformedError(ErrorParts{.place = place_.text(), .problem = problem, .expected = expected});
   }
 
-  void open(char bracket, std::string_view expected) {
+  [[noreturn]] void fail_to_find(const std::string& expected) { fail(json_.found() + " found", expected); }
+
+  void open(char bracket, const std::string& expected) {
     if (!json_.take(bracket)) fail_to_find(expected);
   }
 
@@ -102,14 +102,14 @@ class Reader {
     const bool digits = last == end && (text.front() != '0' || text.size() == 1);
     if (digits && error == std::errc()) return;
     if (digits && error == std::errc::result_out_of_range) fail("the index " + in_quotes(text) + " is too large");
-    fail(in_quotes(text) + " found, expected " + kExpected);
+    fail(in_quotes(text) + " found", kExpected);
   }
 
   void read(double& number) {
     constexpr const char* kExpected = "a finite binary64 number";
     const std::string_view text = token(kExpected);
     const auto value = parse_binary64(text);
-    if (!value) fail(in_quotes(text) + " found, expected " + kExpected);
+    if (!value) fail(in_quotes(text) + " found", kExpected);
     number = *value;
   }
 
@@ -124,7 +124,7 @@ class Reader {
     constexpr const char* kExpected = "true or false";
     const std::string_view text = token(kExpected);
     truth = text == "true";
-    if (!truth && text != "false") fail(in_quotes(text) + " found, expected " + kExpected);
+    if (!truth && text != "false") fail(in_quotes(text) + " found", kExpected);
   }
 
   void read(std::vector<std::uint32_t>& word) {
@@ -185,7 +185,7 @@ class Reader {
     std::size_t position = 0;
     std::apply([&](auto&&... element) { (read_element<T>(element, position++), ...); }, Fields<T>::elements(array));
     if (json_.take(']')) return;
-    if (json_.next() == ',') fail(std::string("too many elements, expected ") + Fields<T>::kExpected);
+    if (json_.next() == ',') fail("too many elements", Fields<T>::kExpected);
     fail_to_find("\",\" or \"]\"");
   }
 
@@ -197,7 +197,7 @@ class Reader {
 
   [[noreturn]] void fail_to_find_element(std::size_t position, const char* expected) {
     if (json_.next() != ']') fail_to_find("\",\" or \"]\"");
-    fail("has " + std::to_string(position) + " elements, expected " + expected);
+    fail("has " + std::to_string(position) + " elements", expected);
   }
 
   /// All elements that are left.
@@ -259,7 +259,7 @@ class Reader {
       read(version);
       place_ = place;
       if (version != member.value.number) {
-        fail("version " + std::to_string(version) + " is not a version this program reads, expected " +
+        fail("version " + std::to_string(version) + " is not a version this program reads",
              std::to_string(member.value.number));
       }
     } else if constexpr (Enumeration<Plain>) {
@@ -276,7 +276,7 @@ class Reader {
   template <std::size_t kSize>
   std::size_t one_of(const std::array<std::string_view, kSize>& names, std::string_view member, std::string_view text) {
     const auto found = std::find(names.begin(), names.end(), text);
-    if (found == names.end()) fail(in_quotes(member) + " is " + in_quotes(text) + ", expected " + listed(names));
+    if (found == names.end()) fail(in_quotes(member) + " is " + in_quotes(text), listed(names));
     return static_cast<std::size_t>(found - names.begin());
   }
 
@@ -300,7 +300,8 @@ class Reader {
 template <class Root>
 void read_text(Pieces& text, Root& root) {
   if (text.ahead(3).starts_with("\xef\xbb\xbf")) {
-    throw MalformedError("document: begins with a byte order mark, expected an object");
+    throw MalformedError(
+        ErrorParts{.place = "document", .problem = "begins with a byte order mark", .expected = "an object"});
   }
   Reader(text).read_all(root);
 }
@@ -311,7 +312,8 @@ NetDocument read_compact_head(std::string_view text) {
   try {
     read_text(head, document);
   } catch (const MalformedError& error) {
-    throw MalformedError(std::string("head: ") + error.what());
+    throw MalformedError(
+        ErrorParts{.place = "head", .problem = error.place() + ": " + error.problem(), .expected = error.expected()});
   }
   return document;
 }
@@ -332,6 +334,22 @@ void read_bytes(Pieces& bytes, NetDocument& document) {
   }
 }
 
+/// The parts of a problem of the structure: "PLACE: what is wrong, expected …" (structure_problem).
+ErrorParts parts_of(const std::string& problem) {
+  constexpr std::string_view kColon = ": ";
+  constexpr std::string_view kExpected = ", expected ";
+  ErrorParts parts{.problem = problem};
+  if (const std::size_t colon = problem.find(kColon); colon != std::string::npos) {
+    parts.place = problem.substr(0, colon);
+    parts.problem = problem.substr(colon + kColon.size());
+  }
+  if (const std::size_t comma = parts.problem.rfind(kExpected); comma != std::string::npos) {
+    parts.expected = parts.problem.substr(comma + kExpected.size());
+    parts.problem.resize(comma);
+  }
+  return parts;
+}
+
 }  // namespace
 
 void read_document(Pieces& bytes, DocumentPointer document, Structure structure) {
@@ -341,7 +359,7 @@ void read_document(Pieces& bytes, DocumentPointer document, Structure structure)
         return structure == Structure::checked ? structure_problem(*one) : std::nullopt;
       },
       document);
-  if (problem) throw MalformedError(*problem);
+  if (problem) throw MalformedError(parts_of(*problem));
 }
 
 std::optional<std::string> format_of(Pieces& bytes) {

@@ -134,10 +134,15 @@ std::string_view Json::string() {
   return string_;
 }
 
+/// What is next is not what should be.
+void Json::fail_to_find(const char* expected) {
+  throw JsonError(ErrorParts{.problem = found() + " found", .expected = expected});
+}
+
 std::string_view Json::member_name() {
-  if (next() != '"') throw JsonError(found() + " found, expected the name of a member");
+  if (next() != '"') fail_to_find("the name of a member");
   const std::string_view name = string();
-  if (!take(':')) throw JsonError(found() + " found, expected \":\" behind the name of a member");
+  if (!take(':')) fail_to_find("\":\" behind the name of a member");
   return name;
 }
 
@@ -153,7 +158,7 @@ void Json::skip() {
       ++depth;
       ++next_;
     } else {
-      if (depth == 0) throw JsonError(found() + " found, expected a value");
+      if (depth == 0) fail_to_find("a value");
       if (first == ']' || first == '}') --depth;
       ++next_;
     }

@@ -1,18 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "certify/base/error.h"
 #include "certify/file/pieces.h"
 
 namespace epsnet::certify {
 
 /// The text is not JSON. what() says what is wrong, not where.
-class JsonError : public std::runtime_error {
+class JsonError : public LocatedError {
  public:
-  using std::runtime_error::runtime_error;
+  using LocatedError::LocatedError;
 };
 
 /// A JSON text (RFC 8259) from front to back, each byte once.
@@ -72,7 +72,7 @@ class Json {
     do {
       read_element(position++);
     } while (take(','));
-    if (!take(']')) throw JsonError(found() + " found, expected \",\" or \"]\"");
+    if (!take(']')) fail_to_find("\",\" or \"]\"");
   }
 
   /// Calls read_member(name) for each member of an object, repeated ones as well. The name is valid until the next
@@ -83,7 +83,7 @@ class Json {
     do {
       read_member(member_name());
     } while (take(','));
-    if (!take('}')) throw JsonError(found() + " found, expected \",\" or \"}\"");
+    if (!take('}')) fail_to_find("\",\" or \"}\"");
   }
 
   /// Takes the name of a member and the colon behind it. The name is valid until the next string.
@@ -101,6 +101,7 @@ class Json {
   char character();
   unsigned code_unit();
   void escape();
+  [[noreturn]] void fail_to_find(const char* expected);
 
   Pieces& text_;
   const char* begin_ = nullptr;  ///< What is in memory of the text begins here; it is taken up to next_.

@@ -44,6 +44,8 @@ class Source {
   std::string_view bytes_;
 };
 
+constexpr const char* kTooLarge = "the file is larger than the limit of 4 GiB";
+
 void read_source(const Source& source, const Witness& witness, Structure structure, DocumentPointer document) {
   Pieces bytes = source.pieces(witness);
   try {
@@ -70,10 +72,12 @@ void read_contents(const Source& source, std::string_view name, const Witness& w
                    ContentsPointer contents) {
   const RoundingToNearest rounding;
   try {
-    if (source.size() > kMaxFileBytes) throw MalformedError("document: the file is larger than the limit of 4 GiB");
+    if (source.size() > kMaxFileBytes) throw MalformedError(ErrorParts{.place = "document", .problem = kTooLarge});
     std::visit([&](auto* one) { read_source(source, witness, structure, one); }, contents);
   } catch (const MalformedError& error) {
-    throw MalformedError(std::string(name) + ": " + error.what());
+    ErrorParts parts = error.parts();
+    parts.file = name;
+    throw MalformedError(parts);
   }
 }
 
@@ -95,7 +99,9 @@ std::string display_name(const std::filesystem::path& path) {
 
 std::string load(const std::filesystem::path& path) {
   const std::string name = display_name(path);
-  const auto fail_to_read = [&](const std::string& why) { throw FileError(name + ": " + why); };
+  const auto fail_to_read = [&](const std::string& why, const std::string& expected = {}) {
+    throw FileError(ErrorParts{.file = name, .problem = why, .expected = expected});
+  };
   std::FILE* file = stdin;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> opened(nullptr, &std::fclose);
   if (path != "-") {
@@ -106,10 +112,10 @@ std::string load(const std::filesystem::path& path) {
   }
   struct stat status {};
   if (fstat(fileno(file), &status) != 0) fail_to_read("cannot be read: " + std::string(std::strerror(errno)));
-  if (S_ISDIR(status.st_mode)) fail_to_read("is a directory, expected a file");
+  if (S_ISDIR(status.st_mode)) fail_to_read("is a directory", "a file");
   // Of the devices only a terminal ends: /dev/zero never would.
   if ((S_ISCHR(status.st_mode) && isatty(fileno(file)) == 0) || S_ISBLK(status.st_mode)) {
-    fail_to_read("is a device, expected a file");
+    fail_to_read("is a device", "a file");
   }
   std::string bytes;
   constexpr std::size_t kChunk = 1 << 20;
@@ -123,7 +129,7 @@ std::string load(const std::filesystem::path& path) {
     read = std::fread(bytes.data() + old_size, 1, kChunk, file);
     bytes.resize(old_size + read);
     if (bytes.size() > kMaxFileBytes) {
-      throw MalformedError(name + ": document: the file is larger than the limit of 4 GiB");
+      throw MalformedError(ErrorParts{.file = name, .place = "document", .problem = kTooLarge});
     }
   }
   if (std::ferror(file) != 0) fail_to_read("cannot be read: " + std::string(std::strerror(errno)));

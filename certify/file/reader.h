@@ -9,6 +9,7 @@
 #include <string_view>
 #include <variant>
 
+#include "certify/base/error.h"
 #include "certify/documents.h"
 
 /// The strict reader of surface files and of the files of all claims, version 1. docs/format.md is the specification.
@@ -18,17 +19,16 @@
 /// do not compose. No input crashes the reader; time and memory are bounded by a multiple of the size of the file.
 namespace epsnet::certify {
 
-/// The contents are not a file of the requested kind. what() is "NAME: PLACE: what was wrong, what was expected", one
-/// line.
-class MalformedError : public std::runtime_error {
+/// The contents are not a file of the requested kind.
+class MalformedError : public LocatedError {
  public:
-  using std::runtime_error::runtime_error;
+  using LocatedError::LocatedError;
 };
 
-/// The file cannot be opened or read; its contents are unknown. what() is "NAME: why", one line.
-class FileError : public std::runtime_error {
+/// The file cannot be opened or read; its contents are unknown.
+class FileError : public LocatedError {
  public:
-  using std::runtime_error::runtime_error;
+  using LocatedError::LocatedError;
 };
 
 /// Returns the name of a file in messages: its path as given, in quotation marks, or `standard input` for "-".

@@ -5,11 +5,11 @@
 #include <charconv>
 #include <iostream>
 #include <limits>
-#include <numeric>
 #include <string>
-#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "certify/base/nearest_name.h"
 #include "certify/base/text.h"
 #include "certify/claims.h"
 #include "certify/program/output.h"
@@ -30,33 +30,14 @@ CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
           ""};
 }
 
-/// The number of letters to insert, remove or replace to make the one text the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
 std::string unknown_option(const CLI::App& app) {
   std::string unknown = printable(app.remaining().at(0));
   unknown.erase(std::min(unknown.find('='), unknown.size()));
-  std::string nearest;
-  std::size_t distance = 3;  // More is no slip of the finger.
+  std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& long_name : option->get_lnames()) {
-      const std::size_t own = edit_distance(unknown, "--" + long_name);
-      if (own < distance) nearest = "--" + long_name;
-      distance = std::min(distance, own);
-    }
+    for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
   }
+  const std::string nearest = nearest_name(unknown, names);
   return unknown + ": no such option" + (nearest.empty() ? "" : ", did you mean " + nearest + "?");
 }
 

@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, int error) {
-  throw WriteError(path.string() + ": " + what + ": " + std::system_category().message(error));
+  throw WriteError(
+      certify::ErrorParts{.file = path.string(), .problem = what + ": " + std::system_category().message(error)});
 }
 
 /// A buffered file descriptor that remembers the first error, which std::ofstream does not report.
@@ -160,7 +161,7 @@ void write_all(const fs::path& path, int descriptor, const std::function<void(st
   write(stream);
   if (const int error = output.finish()) fail(path, "cannot be written", error);
   // `write` may have set the error state of the stream itself.
-  if (!stream) throw WriteError(path.string() + ": cannot be written");
+  if (!stream) throw WriteError(certify::ErrorParts{.file = path.string(), .problem = "cannot be written"});
 }
 
 }  // namespace
@@ -204,7 +205,8 @@ Place place_of(const fs::path& path) {
     const fs::path parent = place.target.parent_path();
     std::error_code error;
     if (const fs::path directory = parent.empty() ? "." : parent; !fs::is_directory(directory, error))
-      throw WriteError(path.string() + ": cannot be created: there is no directory " + directory.string());
+      throw WriteError(certify::ErrorParts{
+          .file = path.string(), .problem = "cannot be created: there is no directory " + directory.string()});
   }
   return place;
 }

@@ -542,7 +542,7 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
   document.net = net_above_eccentricity(base);
   // Lengths are rounded a few times; certify proves the result, with its own bounds of the value at the vertex.
   constexpr double kRounding = 2e-15;
-  const certify::Certificate certificate = proof_of(document.net, {});
+  const certify::Certificate certificate = proof_of(document.net);
   if (claim == BoundDocument::Claim::radius) {
     const double proved = certificate.enclosures->largest_circumradius.upper;
     // The bound of a cell is a difference of two lengths, each at most the diameter.
@@ -559,21 +559,37 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
 
 }  // namespace
 
-certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex) {
+certify::NetDocument unproved::eccentricity_net(const Surface& surface, const BasePoint& vertex) {
   Triangulation triangulation = delaunay_start_of_point(surface, vertex).triangulation;
   return net_above_eccentricity(triangulation);
 }
 
-BoundDocument diameter(const Surface& surface, const BoundOptions& options) {
+BoundDocument unproved::diameter(const Surface& surface, const BoundOptions& options) {
   return bound_document(surface, BoundDocument::Claim::diameter, options);
 }
 
-BoundDocument radius(const Surface& surface, const BoundOptions& options) {
+BoundDocument unproved::radius(const Surface& surface, const BoundOptions& options) {
   return bound_document(surface, BoundDocument::Claim::radius, options);
 }
 
-BoundDocument largest_embedded_disk(const Surface& surface, const BoundOptions& options) {
+BoundDocument unproved::largest_embedded_disk(const Surface& surface, const BoundOptions& options) {
   return bound_document(surface, BoundDocument::Claim::embedded_disk, options);
+}
+
+Certified<certify::NetDocument> eccentricity_net(const Surface& surface, const BasePoint& vertex) {
+  return proved(unproved::eccentricity_net(surface, vertex));
+}
+
+Certified<BoundDocument> diameter(const Surface& surface, const BoundOptions& options) {
+  return proved(unproved::diameter(surface, options), options.threads, options.progress);
+}
+
+Certified<BoundDocument> radius(const Surface& surface, const BoundOptions& options) {
+  return proved(unproved::radius(surface, options), options.threads, options.progress);
+}
+
+Certified<BoundDocument> largest_embedded_disk(const Surface& surface, const BoundOptions& options) {
+  return proved(unproved::largest_embedded_disk(surface, options), options.threads, options.progress);
 }
 
 }  // namespace epsnet

@@ -191,15 +191,16 @@ BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& 
   return in_its_tile(surface, {TileId(chart.tile), {to_rational(z.x), to_rational(z.y)}});
 }
 
-certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
-                                   const DistanceOptions& options) {
+certify::DistanceDocument unproved::distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
+                                             const DistanceOptions& options) {
   require_on_surface(surface, p);
   require_on_surface(surface, q);
-  return distance(surface, p, dirichlet_polygon(surface, p), q, options);
+  return unproved::distance(surface, p, dirichlet_polygon(surface, p), q, options);
 }
 
-certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const DirichletPolygon& domain_of_p,
-                                   const BasePoint& q, const DistanceOptions& options) {
+certify::DistanceDocument unproved::distance(const Surface& surface, const BasePoint& p,
+                                             const DirichletPolygon& domain_of_p, const BasePoint& q,
+                                             const DistanceOptions& options) {
   require_on_surface(surface, q);
   const bool same = is_same_point(surface, p, q);
   const BasePoint& end = same ? p : q;  // In the same coordinates it can be seen.
@@ -215,6 +216,17 @@ certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, c
                    certify::decimal_below(options.width));
   }
   return result;
+}
+
+Certified<certify::DistanceDocument> distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
+                                              const DistanceOptions& options) {
+  return proved(unproved::distance(surface, p, q, options));
+}
+
+Certified<certify::DistanceDocument> distance(const Surface& surface, const BasePoint& p,
+                                              const DirichletPolygon& domain_of_p, const BasePoint& q,
+                                              const DistanceOptions& options) {
+  return proved(unproved::distance(surface, p, domain_of_p, q, options));
 }
 
 }  // namespace epsnet

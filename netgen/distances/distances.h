@@ -3,13 +3,16 @@
 #include <array>
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <vector>
 
 #include "certify/base/interval.h"
 #include "certify/claims/bound/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/net/document.h"
+#include "certify/verdict/report.h"
 #include "netgen/base/options.h"
+#include "netgen/prove/certified.h"
 #include "triangulation/surface/surface.h"
 
 /// Distances in a surface: between two points, with all shortest geodesics; the diameter, the radius, the largest
@@ -44,21 +47,21 @@ struct DistanceOptions {
 /// paths from p to q. The points may be anywhere in the disks of their tiles. If they are the same point of the surface
 /// (is_same_point), the distance is 0, and `point` is p.
 ///
-/// The result is not proved yet; certify::check proves it. Deterministic. The time is that of the Dirichlet
-/// domain of p, however far away q is and however short closed geodesics are. Throws SurfaceError for what is no point
-/// of the surface. Throws NetError if the enclosure is wider than `options.width`, or if it has more than 5000 paths,
-/// as across a cuff shorter than 10⁻¹⁰. Throws LimitError.
-[[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
-                                                 const DistanceOptions& options = {});
+/// Deterministic. The time is that of the Dirichlet domain of p and of the proof, however far away q is and however
+/// short closed geodesics are. Throws SurfaceError for what is no point of the surface. Throws NetError if the
+/// enclosure is wider than `options.width`, or if it has more than 5000 paths, as across a cuff shorter than 10⁻¹⁰;
+/// NotCertifiedError, which is one, if the proof fails. Throws LimitError.
+[[nodiscard]] Certified<certify::DistanceDocument> distance(const Surface& surface, const BasePoint& p,
+                                                            const BasePoint& q, const DistanceOptions& options = {});
 
-/// The same; the Dirichlet domain of p is at hand, and the rest takes little time.
-[[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p,
-                                                 const DirichletPolygon& domain_of_p, const BasePoint& q,
-                                                 const DistanceOptions& options = {});
+/// The same; the Dirichlet domain of p is at hand.
+[[nodiscard]] Certified<certify::DistanceDocument> distance(const Surface& surface, const BasePoint& p,
+                                                            const DirichletPolygon& domain_of_p, const BasePoint& q,
+                                                            const DistanceOptions& options = {});
 
-// The diameter of a surface, its radius, and its largest embedded disk. The results are not proved yet; certify::check
-// proves them. All functions are deterministic. They throw NetError if the limit of cells is too low, and LimitError if
-// the surface is beyond the numbers of the generator; both are an Error.
+// The diameter of a surface, its radius, and its largest embedded disk. All functions are deterministic. They throw
+// NetError if the limit of cells is too low; NotCertifiedError, which is one, if the proof fails; and LimitError if the
+// surface is beyond the numbers of the generator.
 
 /// The least allowed width.
 inline constexpr double kLeastBoundWidth = 1e-12;
@@ -74,19 +77,35 @@ struct BoundOptions {
 /// Returns the one-vertex Delaunay triangulation as a net; its ε is larger than its largest circumradius. The largest
 /// circumradius is the eccentricity of the vertex: the greatest distance of a point from it (docs/proof.md, Lemma 5.2).
 /// The vertex may be anywhere in the disk of its tile. Throws SurfaceError if it is no point of the surface.
-[[nodiscard]] certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex);
+[[nodiscard]] Certified<certify::NetDocument> eccentricity_net(const Surface& surface, const BasePoint& vertex);
 
 /// Encloses the diameter: the greatest distance of two points. Branch and bound over the positions of one of them
 /// (docs/distances.md gives the number of cells). Throws std::invalid_argument for a width below kLeastBoundWidth.
-[[nodiscard]] certify::BoundDocument diameter(const Surface& surface, const BoundOptions& options = {});
+[[nodiscard]] Certified<certify::BoundDocument> diameter(const Surface& surface, const BoundOptions& options = {});
 
 /// Encloses the radius: the least eccentricity, which is the least r such that a disk of radius r covers the surface.
 /// Throws std::invalid_argument for a width below kLeastBoundWidth.
-[[nodiscard]] certify::BoundDocument radius(const Surface& surface, const BoundOptions& options = {});
+[[nodiscard]] Certified<certify::BoundDocument> radius(const Surface& surface, const BoundOptions& options = {});
 
 /// Encloses the radius of the largest embedded disk: the greatest injectivity radius of a point. Throws
 /// std::invalid_argument for a width below kLeastBoundWidth.
+[[nodiscard]] Certified<certify::BoundDocument> largest_embedded_disk(const Surface& surface,
+                                                                      const BoundOptions& options = {});
+
+/// The same documents without their proofs: nothing in them is proved.
+namespace unproved {
+
+[[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
+                                                 const DistanceOptions& options = {});
+[[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p,
+                                                 const DirichletPolygon& domain_of_p, const BasePoint& q,
+                                                 const DistanceOptions& options = {});
+[[nodiscard]] certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex);
+[[nodiscard]] certify::BoundDocument diameter(const Surface& surface, const BoundOptions& options = {});
+[[nodiscard]] certify::BoundDocument radius(const Surface& surface, const BoundOptions& options = {});
 [[nodiscard]] certify::BoundDocument largest_embedded_disk(const Surface& surface, const BoundOptions& options = {});
+
+}  // namespace unproved
 
 // The vertices of a net, one to many and many to many (docs/distances.md, "One to many").
 
@@ -138,6 +157,15 @@ struct DistanceTable {
 /// Like vertex_distances, to all vertices in their order.
 [[nodiscard]] DistanceTable distances_from(const certify::NetDocument& net, const std::vector<std::uint32_t>& from,
                                            const DistanceTableOptions& options = {});
+
+/// Returns the distances of all vertices from one, in their order, rounded: the middles of their intervals. Throws as
+/// vertex_distances.
+[[nodiscard]] std::vector<double> rounded_distances_from(const certify::NetDocument& net, std::uint32_t vertex);
+
+/// Returns the distances from vertex 0 by which a page colours a net; none unless the net is verified. Throws
+/// LimitError for a net of more than 100,000 vertices, where a page would take seconds longer, and as vertex_distances.
+[[nodiscard]] std::vector<double> distances_for_page(const certify::NetDocument& net,
+                                                     const std::optional<certify::Certificate>& certificate);
 
 /// Which part of a table is written.
 enum class TableEntries {

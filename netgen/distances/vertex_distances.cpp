@@ -508,4 +508,22 @@ DistanceTable distances_from(const NetDocument& net, const std::vector<std::uint
   return vertex_distances(net, from, all, options);
 }
 
+std::vector<double> rounded_distances_from(const certify::NetDocument& net, std::uint32_t vertex) {
+  const DistanceTable table = distances_from(net, {vertex});
+  std::vector<double> result;
+  result.reserve(table.to.size());
+  for (std::size_t v = 0; v < table.to.size(); ++v) result.push_back(table.distance(0, v));
+  return result;
+}
+
+std::vector<double> distances_for_page(const certify::NetDocument& net,
+                                       const std::optional<certify::Certificate>& certificate) {
+  constexpr std::size_t kMostVertices = 100'000;
+  if (!certificate || certificate->verdict != certify::Verdict::verified) return {};
+  if (net.vertices.size() > kMostVertices) {
+    throw LimitError("more than " + std::to_string(kMostVertices) + " vertices");
+  }
+  return rounded_distances_from(net, 0);
+}
+
 }  // namespace epsnet

@@ -480,9 +480,13 @@ class Search {
 
 }  // namespace
 
-EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
+EigenvaluesDocument unproved::eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
   check(options, surface.genus());
   return Search(surface, options).result();
+}
+
+Certified<EigenvaluesDocument> eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
+  return proved(unproved::eigenvalues(surface, options), options.threads, options.progress);
 }
 
 }  // namespace epsnet

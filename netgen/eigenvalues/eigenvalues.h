@@ -6,6 +6,7 @@
 
 #include "certify/claims/eigenvalues/document.h"
 #include "netgen/base/options.h"
+#include "netgen/prove/certified.h"
 #include "triangulation/surface/surface.h"
 
 /// The first eigenvalues of the Laplacian of a surface, counted by a net. docs/eigenvalues.md says how and why.
@@ -24,12 +25,20 @@ struct EigenvaluesOptions {
   Progress progress = {};              ///< Called occasionally, if given.
 };
 
-/// Returns intervals with the first eigenvalues, from λ₁ on, and what proves them. The results are not proved yet;
-/// certify::check proves them. Deterministic.
+/// Returns intervals with the first eigenvalues, from λ₁ on, and what proves them. Deterministic.
 ///
-/// Throws NetError if the net cannot be made or the eigenvalues are not found; LimitError if the surface is beyond the
+/// Throws NetError if the net cannot be made or the eigenvalues are not found; NotCertifiedError, which is one, if the
+/// proof fails; LimitError if the surface is beyond the
 /// numbers of the generator, or it takes more than about 10⁷ triangles; std::invalid_argument if an option is out of
 /// range.
+[[nodiscard]] Certified<certify::EigenvaluesDocument> eigenvalues(const Surface& surface,
+                                                                  const EigenvaluesOptions& options = {});
+
+/// The same document without its proof: nothing in it is proved.
+namespace unproved {
+
 [[nodiscard]] certify::EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options = {});
+
+}  // namespace unproved
 
 }  // namespace epsnet

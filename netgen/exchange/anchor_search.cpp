@@ -404,7 +404,9 @@ class AnchorSearch {
          ", which is 3 modulo 4, keeps tanh^2 of half the length of an edge from being a sum of two rational squares");
   }
 
-  [[noreturn]] void fail(const std::string& message) const { throw ExchangeError(std::string(name_) + ": " + message); }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw ExchangeError(certify::ErrorParts{.file = std::string(name_), .problem = message});
+  }
 
   const TriangulationStream& stream_;
   std::string_view name_;

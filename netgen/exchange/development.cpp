@@ -249,7 +249,9 @@ class Development {
     return edge.dart == dart ? edge.opposite : edge.dart;
   }
 
-  [[noreturn]] void fail(const std::string& message) const { throw ExchangeError(std::string(name_) + ": " + message); }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw ExchangeError(certify::ErrorParts{.file = std::string(name_), .problem = message});
+  }
 
   static constexpr const char* kExpected = ": these cross-ratios are not those of a closed hyperbolic surface";
 

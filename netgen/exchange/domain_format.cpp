@@ -113,7 +113,7 @@ Surface read_domain(std::string_view text, std::string_view name) {
   try {
     return make_surface(std::move(domain));
   } catch (const SurfaceError& error) {
-    throw ExchangeError(std::string(name) + ": " + error.what());
+    throw ExchangeError(certify::ErrorParts{.file = std::string(name), .problem = error.what()});
   }
 }
 

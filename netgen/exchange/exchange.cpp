@@ -7,7 +7,8 @@
 namespace epsnet {
 
 Surface import_surface(std::string_view text, std::string_view name, ExchangeFormat format) {
-  if (text.size() > kMaxTextBytes) throw ExchangeError(std::string(name) + ": is larger than 256 MiB");
+  if (text.size() > kMaxTextBytes)
+    throw ExchangeError(certify::ErrorParts{.file = std::string(name), .problem = "is larger than 256 MiB"});
   const bool guess = format == ExchangeFormat::automatic;
   if (format == ExchangeFormat::triangulation || (guess && is_triangulation_stream(text))) {
     return develop(read_triangulation_stream(text, name), name);
@@ -16,9 +17,12 @@ Surface import_surface(std::string_view text, std::string_view name, ExchangeFor
     return read_domain(text, name);
   } catch (const ExchangeError& error) {
     if (!guess) throw;
-    throw ExchangeError(std::string(error.what()) +
-                        " (read as the domain format: the second token is neither \"yes\" nor \"no\", nor do points of "
-                        "a first triangle follow, as in the triangulation formats)");
+    const std::string reading =
+        " (read as the domain format: the second token is neither \"yes\" nor \"no\", nor do points of a first "
+        "triangle follow, as in the triangulation formats)";
+    certify::ErrorParts parts = error.parts();
+    parts.problem += reading;
+    throw ExchangeError(error.what() + reading, parts);
   }
 }
 

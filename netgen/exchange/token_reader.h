@@ -66,7 +66,9 @@ class TokenReader {
   [[nodiscard]] std::size_t line() const { return line_; }
   [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const {
-    throw ExchangeError(name_ + ":" + std::to_string(line) + ": " + message);
+    const std::string number = std::to_string(line);
+    throw ExchangeError(name_ + ":" + number + ": " + message,
+                        certify::ErrorParts{.file = name_, .place = number, .problem = message});
   }
 
  private:

@@ -146,7 +146,6 @@ std::optional<std::uint32_t> AxisCatalogue<T>::find(const Place& place) {
   const std::multimap<double, Known>& known = axes_in_[place.triangle];
   const double wanted = key(place.element);
   for (auto i = known.lower_bound(wanted - kMargin); i != known.end() && i->first <= wanted + kMargin; ++i) {
-    ++comparisons_;
     if (same_axis(i->second.element, place.element)) return i->second.geodesic;
   }
   return std::nullopt;

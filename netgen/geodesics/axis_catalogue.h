@@ -69,9 +69,6 @@ class AxisCatalogue {
 
   [[nodiscard]] const std::vector<Geodesic>& geodesics() const { return geodesics_; }
 
-  /// Returns how many pairs of axes have been compared so far.
-  [[nodiscard]] std::uint64_t comparisons() const { return comparisons_; }
-
  private:
   using Vector = LorentzVector<T>;
   struct Place {
@@ -117,7 +114,6 @@ class AxisCatalogue {
   std::vector<Geodesic> geodesics_;
   ById<TriangleId, std::optional<Corners>> corners_;        ///< By triangle, once they have been needed.
   ById<TriangleId, std::multimap<double, Known>> axes_in_;  ///< By triangle: by `key`.
-  std::uint64_t comparisons_ = 0;
 };
 
 extern template class AxisCatalogue<Mp256>;

@@ -345,12 +345,13 @@ certify::GeodesicsDocument with_search(const Surface& surface, const GeodesicsOp
 
 }  // namespace
 
-certify::GeodesicsDocument systole(const Surface& surface, const GeodesicsOptions& options) {
+certify::GeodesicsDocument unproved::systole(const Surface& surface, const GeodesicsOptions& options) {
   return with_search(surface, options,
                      [&]<class T>(Search& search, const T&) { return shortest_geodesic<T>(search, options); });
 }
 
-certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to, const GeodesicsOptions& options) {
+certify::GeodesicsDocument unproved::spectrum(const Surface& surface, const Length& up_to,
+                                              const GeodesicsOptions& options) {
   return with_search(surface, options, [&]<class T>(Search& search, const T&) {
     certify::GeodesicsDocument result =
         all_geodesics<T>(search, options, certify::GeodesicsDocument::Claim::spectrum, static_cast<T>(up_to.value()));
@@ -359,11 +360,24 @@ certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to,
   });
 }
 
-certify::GeodesicsDocument thick_thin(const Surface& surface, const GeodesicsOptions& options) {
+certify::GeodesicsDocument unproved::thick_thin(const Surface& surface, const GeodesicsOptions& options) {
   return with_search(surface, options, [&]<class T>(Search& search, const T&) {
     return all_geodesics<T>(search, options, certify::GeodesicsDocument::Claim::thick_thin,
                             T(2 * boost::multiprecision::asinh(T(1))));
   });
+}
+
+Certified<certify::GeodesicsDocument> systole(const Surface& surface, const GeodesicsOptions& options) {
+  return proved(unproved::systole(surface, options), options.threads, options.progress);
+}
+
+Certified<certify::GeodesicsDocument> spectrum(const Surface& surface, const Length& up_to,
+                                               const GeodesicsOptions& options) {
+  return proved(unproved::spectrum(surface, up_to, options), options.threads, options.progress);
+}
+
+Certified<certify::GeodesicsDocument> thick_thin(const Surface& surface, const GeodesicsOptions& options) {
+  return proved(unproved::thick_thin(surface, options), options.threads, options.progress);
 }
 
 certify::Interval collar_half_width(certify::Interval length) {

@@ -2,14 +2,15 @@
 
 #include "certify/claims/geodesics/document.h"
 #include "netgen/base/options.h"
+#include "netgen/prove/certified.h"
 #include "triangulation/surface/surface.h"
 
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and
 /// why.
 ///
-/// The results are not proved yet; certify::check proves them. All functions are deterministic. They throw
-/// NetError if no net or no closed geodesic is found, or if a search would be too long; and LimitError if the surface
-/// is beyond the numbers of the generator. Both are an Error.
+/// All functions are deterministic. They throw NetError if no net or no closed geodesic is found, or if a search would
+/// be too long; NotCertifiedError, which is one, if the proof fails; and LimitError if the surface is beyond the
+/// numbers of the generator.
 namespace epsnet {
 
 /// Options of the search for closed geodesics.
@@ -23,17 +24,29 @@ struct GeodesicsOptions {
 
 /// Returns a shortest closed geodesic; its length is the systole. For the systole σ and genus g the search takes some
 /// sinh²(σ/2)·(g − 1) steps.
-[[nodiscard]] certify::GeodesicsDocument systole(const Surface& surface, const GeodesicsOptions& options = {});
+[[nodiscard]] Certified<certify::GeodesicsDocument> systole(const Surface& surface,
+                                                            const GeodesicsOptions& options = {});
 
 /// Returns all primitive closed geodesics of length at most L = `up_to`, up to orientation, ordered by length. There
 /// are about e^L/(2L); the time is about proportional to e^L.
-[[nodiscard]] certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to,
-                                                  const GeodesicsOptions& options = {});
+[[nodiscard]] Certified<certify::GeodesicsDocument> spectrum(const Surface& surface, const Length& up_to,
+                                                             const GeodesicsOptions& options = {});
 
 /// Returns the small curves and the pieces into which they cut the surface. Small curves are the closed geodesics of
 /// length at most 2 arsinh 1. There are at most 3g − 3; they are simple and pairwise disjoint (Buser, Geometry and
 /// Spectra of Compact Riemann Surfaces, Theorem 4.1.6).
+[[nodiscard]] Certified<certify::GeodesicsDocument> thick_thin(const Surface& surface,
+                                                               const GeodesicsOptions& options = {});
+
+/// The same documents without their proofs: nothing in them is proved.
+namespace unproved {
+
+[[nodiscard]] certify::GeodesicsDocument systole(const Surface& surface, const GeodesicsOptions& options = {});
+[[nodiscard]] certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to,
+                                                  const GeodesicsOptions& options = {});
 [[nodiscard]] certify::GeodesicsDocument thick_thin(const Surface& surface, const GeodesicsOptions& options = {});
+
+}  // namespace unproved
 
 /// Returns an enclosure of the half-width w of the collar of a small curve, sinh w = 1/sinh(ℓ/2) (thesis Definition
 /// I.21). `length` encloses ℓ.

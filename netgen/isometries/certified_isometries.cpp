@@ -121,24 +121,28 @@ IsometriesDocument document_of(const Surface& surface, const IsometryGroup& grou
 
 }  // namespace
 
-CertifiedIsometries certified_isometries(const Surface& surface, const IsometryGroup& group,
-                                         const IsometryOptions& options) {
+Certified<IsometriesDocument> certified_isometries(const Surface& surface, const IsometryGroup& group,
+                                                   const IsometryOptions& options) {
   constexpr int kMostTries = 5;
   constexpr double kStep = 0.5;
   constexpr long kMostBits = 1024;
-  CertifiedIsometries result{document_of(surface, group), {}};
-  certify::CheckOptions check = own_check(options.threads, options.progress);
+  IsometriesDocument document = document_of(surface, group);
+  certify::CheckOptions check = own_check(document, options.threads, options.progress);
   check.max_precision = kMostBits;
-  static_cast<certify::GeodesicsDocument&>(result.document) = group.geodesics();
+  static_cast<certify::GeodesicsDocument&>(document) = group.geodesics();
   for (int tries = 1;; ++tries) {
-    result.certificate = certify::check(result.document, check);
-    // Only that there are no others depends on how many closed geodesics there are.
-    if (result.certificate.rule != "most" || tries == kMostTries) return result;
+    try {
+      certify::Certificate certificate = proof_of(document, check);
+      return {std::move(document), std::move(certificate)};
+    } catch (const NotCertifiedError& error) {
+      // Only that there are no others depends on how many closed geodesics there are.
+      if (error.certificate().rule != "most" || tries == kMostTries) throw;
+    }
     GeodesicsOptions geodesics;
     geodesics.threads = options.threads;
     geodesics.progress = options.progress;
-    const double length = static_cast<double>(Length(result.document.up_to).value()) + kStep;
-    static_cast<certify::GeodesicsDocument&>(result.document) = spectrum(surface, Length(length), geodesics);
+    const double length = static_cast<double>(Length(document.up_to).value()) + kStep;
+    static_cast<certify::GeodesicsDocument&>(document) = unproved::spectrum(surface, Length(length), geodesics);
   }
 }
 

@@ -305,7 +305,7 @@ GeodesicsOptions geodesics_options(const IsometryOptions& options) {
 Length list_length(const Surface& surface, const IsometryOptions& options) {
   // Across thin parts ways are long, and the tiles near them too many.
   constexpr double kLeastSystole = 0.0099;
-  const double systole_length = systole(surface, geodesics_options(options)).geodesics.front().length.upper;
+  const double systole_length = unproved::systole(surface, geodesics_options(options)).geodesics.front().length.upper;
   if (systole_length < kLeastSystole) {
     throw LimitError("isometries are found on surfaces with a systole of at least 0.01; this one has " +
                      certify::decimal_above(systole_length));
@@ -315,9 +315,9 @@ Length list_length(const Surface& surface, const IsometryOptions& options) {
 
 /// Whether the certifier verifies spectra.
 bool are_verified(const std::vector<certify::GeodesicsDocument>& spectra, const IsometryOptions& options) {
-  certify::CheckOptions check = own_check(options.threads, options.progress);
-  check.max_precision = 1024;
   return std::all_of(spectra.begin(), spectra.end(), [&](const certify::GeodesicsDocument& spectrum) {
+    certify::CheckOptions check = own_check(spectrum, options.threads, options.progress);
+    check.max_precision = 1024;
     return certify::check(spectrum, check).verdict == certify::Verdict::verified;
   });
 }
@@ -464,7 +464,7 @@ std::string IsometryGroup::name() const {
 
 IsometryGroup isometries(const Surface& surface, const IsometryOptions& options) {
   IsometryGroup group;
-  group.geodesics_ = spectrum(surface, list_length(surface, options), geodesics_options(options));
+  group.geodesics_ = unproved::spectrum(surface, list_length(surface, options), geodesics_options(options));
   const certify::GeodesicsDocument& geodesics = group.geodesics_;
   const Source source(surface, geodesics);
   const LiftedTiles& tiles = source.tiles;
@@ -543,7 +543,7 @@ IsometricAnswer isometric(const Surface& first, const Surface& second, const Iso
   for (int tries = 1;; ++tries) {
     std::vector<certify::GeodesicsDocument> spectra;
     for (const Surface* surface : {&first, &second}) {
-      spectra.push_back(spectrum(*surface, length, geodesics_options(options)));
+      spectra.push_back(unproved::spectrum(*surface, length, geodesics_options(options)));
     }
     if (const auto difference = certain_difference(spectra[0], spectra[1])) {
       answer.reason = *difference;

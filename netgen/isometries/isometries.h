@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/claims/isometries/document.h"
-#include "certify/verdict/report.h"
 #include "netgen/base/options.h"
+#include "netgen/prove/certified.h"
 #include "netgen/surfaces/maps_and_covers.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
@@ -87,18 +87,13 @@ struct IsometryOptions {
 /// geodesic that is as long as the one that is chosen, where d is the length of a shortest loop across it.
 [[nodiscard]] IsometryGroup isometries(const Surface& surface, const IsometryOptions& options = {});
 
-/// An isometries file, and its certificate.
-struct CertifiedIsometries {
-  certify::IsometriesDocument document;
-  certify::Certificate certificate;
-};
-
-/// Returns the isometry group of a surface as a file that certify verifies: with the closed geodesics from which the
-/// isometries were told, or longer ones until they leave room for no other isometry. The last certificate is not that
-/// of a file that is verified, if closed geodesics that are 2 longer do not suffice. Throws as `isometries`. Time is
-/// that of the spectrum and its certificate, and the exact examination of the group's generators.
-[[nodiscard]] CertifiedIsometries certified_isometries(const Surface& surface, const IsometryGroup& group,
-                                                       const IsometryOptions& options = {});
+/// Returns the isometry group of a surface as a file, proved: with the closed geodesics from which the isometries were
+/// told, or longer ones until they leave room for no other isometry. Throws NotCertifiedError if closed geodesics that
+/// are 2 longer do not suffice, and as `isometries`. Time is that of the spectrum and its certificate, and the exact
+/// examination of the group's generators.
+[[nodiscard]] Certified<certify::IsometriesDocument> certified_isometries(const Surface& surface,
+                                                                          const IsometryGroup& group,
+                                                                          const IsometryOptions& options = {});
 
 /// The answer to whether two surfaces are isometric.
 struct IsometricAnswer {

@@ -59,7 +59,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
 
   DirichletPolygon polygon;
   polygon.triangulation = net_document(triangulation, Length(std::floor(largest_circumradius) + 2));
-  const std::vector<std::uint32_t> ties = proof_of(polygon.triangulation, {}).ties;
+  const std::vector<std::uint32_t> ties = proof_of(polygon.triangulation).ties;
   polygon.ties = static_cast<std::uint32_t>(ties.size());
   std::map<Dart, std::uint32_t> side_of;
   for (std::size_t k = 0; k < n; ++k) {
@@ -105,35 +105,37 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void refuse_polygon(const std::string& problem) { throw DirichletFileError(problem); }
+[[noreturn]] void refuse_polygon(std::string_view place, const std::string& problem) {
+  throw DirichletFileError(certify::ErrorParts{.place = std::string(place), .problem = problem});
+}
 
 const Json& member(const Json& object, const char* name, const std::string& place) {
-  if (!object.is_object()) refuse_polygon(place + ": expected an object");
+  if (!object.is_object()) refuse_polygon(place, "expected an object");
   const auto found = object.find(name);
-  if (found == object.end()) refuse_polygon(place + ": missing member \"" + name + "\"");
+  if (found == object.end()) refuse_polygon(place, std::string("missing member \"") + name + "\"");
   return *found;
 }
 
 std::uint32_t index(const Json& value, const std::string& place) {
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > ~std::uint32_t{0})
-    refuse_polygon(place + ": expected an integer from 0 to 2^32 - 1");
+    refuse_polygon(place, "expected an integer from 0 to 2^32 - 1");
   return value.get<std::uint32_t>();
 }
 
 double number(const Json& value, const std::string& place) {
-  if (!value.is_number()) refuse_polygon(place + ": expected a number");
+  if (!value.is_number()) refuse_polygon(place, "expected a number");
   return value.get<double>();
 }
 
 const Json& array(const Json& value, std::string_view place) {
-  if (!value.is_array()) refuse_polygon(std::string(place) + ": expected an array");
+  if (!value.is_array()) refuse_polygon(place, "expected an array");
   return value;
 }
 
 DirichletPolygon polygon_of(const Json& file) {
   const std::string whole = "Dirichlet domain";
-  if (member(file, "format", whole) != "epsnet-dirichlet") refuse_polygon("format: expected \"epsnet-dirichlet\"");
-  if (member(file, "version", whole) != 1) refuse_polygon("version: expected 1");
+  if (member(file, "format", whole) != "epsnet-dirichlet") refuse_polygon("format", "expected \"epsnet-dirichlet\"");
+  if (member(file, "version", whole) != 1) refuse_polygon("version", "expected 1");
   DirichletPolygon polygon;
   const Json& sides = array(member(file, "sides", whole), "sides");
   for (const Json& side : sides) {
@@ -141,19 +143,19 @@ DirichletPolygon polygon_of(const Json& file) {
     DirichletPolygon::Side& read = polygon.sides.emplace_back();
     read.partner = index(member(side, "partner", place), place);
     if (read.partner >= sides.size())
-      refuse_polygon(place + ": the partner " + std::to_string(read.partner) + ", but there are " +
-                     std::to_string(sides.size()) + " sides");
+      refuse_polygon(place, "the partner " + std::to_string(read.partner) + ", but there are " +
+                                std::to_string(sides.size()) + " sides");
     read.distance = number(member(side, "distance", place), place);
     for (const Json& letter : array(member(side, "word", place), place)) read.word.emplace_back(index(letter, place));
   }
   for (const Json& vertex : array(member(file, "vertices", whole), "vertices")) {
     const std::string place = "vertices[" + std::to_string(polygon.vertices.size()) + "]";
-    if (array(vertex, place).size() != 2) refuse_polygon(place + ": expected [x, y]");
+    if (array(vertex, place).size() != 2) refuse_polygon(place, "expected [x, y]");
     polygon.vertices.push_back({number(vertex[0], place), number(vertex[1], place)});
   }
   if (polygon.vertices.size() != polygon.sides.size())
-    refuse_polygon("vertices: there are " + std::to_string(polygon.vertices.size()) + ", and " +
-                   std::to_string(polygon.sides.size()) + " sides");
+    refuse_polygon("vertices", "there are " + std::to_string(polygon.vertices.size()) + ", and " +
+                                   std::to_string(polygon.sides.size()) + " sides");
   polygon.ties = index(member(file, "ties", whole), "ties");
   return polygon;
 }
@@ -163,9 +165,11 @@ DirichletPolygon polygon_of(const Json& file) {
 DirichletPolygon parse_dirichlet_json(std::string_view text, const std::string& name) try {
   return polygon_of(Json::parse(text));
 } catch (const DirichletFileError& error) {
-  throw DirichletFileError(name + ": " + error.what());
+  certify::ErrorParts parts = error.parts();
+  parts.file = name;
+  throw DirichletFileError(parts);
 } catch (const Json::exception& error) {
-  throw DirichletFileError(name + ": not JSON: " + error.what());
+  throw DirichletFileError(certify::ErrorParts{.file = name, .problem = std::string("not JSON: ") + error.what()});
 }
 
 }  // namespace epsnet

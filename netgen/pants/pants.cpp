@@ -28,8 +28,7 @@ constexpr double kEpsilon = 1;
 
 PantsDecomposition with_coordinates(const Surface& surface, Pieces pieces) {
   const std::vector<CuffCoordinates> cuffs = cuff_coordinates(surface, pieces.graph, pieces.pants, pieces.across);
-  PantsDecomposition result{
-      .graph = std::move(pieces.graph), .cuffs = {}, .pants = {}, .document = {}, .certificate = {}};
+  PantsDecomposition result{{}, std::move(pieces.graph), {}, {}};
   for (const auto& [paths] : pieces.pants) {
     result.pants.push_back({paths[0], paths[1], reversed(surface, concatenated(surface, paths[0], paths[1]))});
   }
@@ -56,12 +55,12 @@ certify::PantsDocument document_of(const PantsDecomposition& pants, certify::Net
   return result;
 }
 
-PantsDecomposition proved(const Surface& surface, Pieces pieces, const PantsOptions& options) {
+PantsDecomposition proved_pants(const Surface& surface, Pieces pieces, const PantsOptions& options) {
   PantsDecomposition result = with_coordinates(surface, std::move(pieces));
   NetOptions of_net;
   of_net.threads = options.threads;
-  result.document = document_of(result, compute_net(surface, Length(kEpsilon), of_net).net);
-  result.certificate = proof_of(result.document, own_check(options.threads));
+  Certified<certify::PantsDocument>& file = result;
+  file = proved(document_of(result, compute_net(surface, Length(kEpsilon), of_net).net), options.threads);
   return result;
 }
 
@@ -163,7 +162,7 @@ void add_short(const Surface& surface, const PantsOptions& options, CurveSystem&
       system.add(path);
     }
   };
-  const certify::GeodesicsDocument first = systole(surface, geodesics);
+  const certify::GeodesicsDocument first = unproved::systole(surface, geodesics);
   add_from(first, 0);
   // Longer ones, as long as that does not take seconds. Curves that are made around arcs instead get as long as those
   // before them together, and soon too long for 256 bits.
@@ -171,7 +170,7 @@ void add_short(const Surface& surface, const PantsOptions& options, CurveSystem&
   std::size_t known = 0;
   for (double length = std::ceil(first.geodesics[0].length.upper + 0.5);
        system.size() < wanted && std::exp(length) * (surface.genus() - 1) <= kMostWork; length += 1) {
-    const certify::GeodesicsDocument document = spectrum(surface, Length(length), geodesics);
+    const certify::GeodesicsDocument document = unproved::spectrum(surface, Length(length), geodesics);
     add_from(document, known);
     known = document.geodesics.size();
   }
@@ -282,7 +281,7 @@ FenchelNielsen PantsDecomposition::coordinates() const {
 PantsDecomposition pants_decomposition(const Surface& surface, const PantsOptions& options) {
   if (options.own && options.curves.empty()) {
     if (auto pieces = own_pants(surface)) {
-      PantsDecomposition result = proved(surface, *std::move(pieces), options);
+      PantsDecomposition result = proved_pants(surface, *std::move(pieces), options);
       result.own = true;
       return result;
     }
@@ -296,7 +295,7 @@ PantsDecomposition pants_decomposition(const Surface& surface, const PantsOption
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin() + given, order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return system.length(a) < system.length(b); });
-  return proved(surface, assembled(surface, system, found, order), options);
+  return proved_pants(surface, assembled(surface, system, found, order), options);
 }
 
 void require_disjoint_curves(const Surface& surface, std::span<const Word> curves) {

@@ -10,8 +10,8 @@
 
 #include "certify/base/interval.h"
 #include "certify/claims/pants/document.h"
-#include "certify/verdict/report.h"
 #include "netgen/base/options.h"
+#include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
@@ -26,15 +26,12 @@ class CurveError : public Error {
  public:
   /// For curve `number`, counted from 0.
   CurveError(std::size_t number, const std::string& problem)
-      : Error("curve " + std::to_string(number) + ": " + problem), number_(number), problem_(problem) {}
+      : Error(certify::ErrorParts{.place = "curve " + std::to_string(number), .problem = problem}), number_(number) {}
   /// The number of the curve.
   [[nodiscard]] std::size_t number() const { return number_; }
-  /// The problem, without the number.
-  [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
   std::size_t number_;
-  std::string problem_;
 };
 
 /// Options of a pants decomposition.
@@ -48,8 +45,9 @@ struct PantsOptions {
 };
 
 /// A pants decomposition of a surface along closed geodesics, and its Fenchel–Nielsen coordinates with the conventions
-/// of FenchelNielsen. What is here is proved: certify::check says VERIFIED to `document`.
-struct PantsDecomposition {
+/// of FenchelNielsen. What is here is proved: it is also in the `document`, a pants file with a net of the surface,
+/// which has the `certificate`.
+struct PantsDecomposition : Certified<certify::PantsDocument> {
   /// A cuff of the decomposition, an edge of the graph.
   struct Cuff {
     Word curve;                  ///< A closed path in its class, with the pants of the edge's first end on the left.
@@ -65,9 +63,6 @@ struct PantsDecomposition {
   /// their left; α₀α₁α₂ is null-homotopic.
   std::vector<std::array<Word, 3>> pants;
   bool own = false;  ///< Whether they are the pants of which fenchel_nielsen_surface made the surface.
-  /// The same as a pants file, with a net of the surface.
-  certify::PantsDocument document;
-  certify::Certificate certificate;  ///< Of `document`: VERIFIED.
 
   /// Returns the coordinates: the middle of each interval.
   [[nodiscard]] FenchelNielsen coordinates() const;

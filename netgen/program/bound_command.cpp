@@ -45,10 +45,8 @@ Where where(const certify::NetDocument& net, bool with_farthest) {
   try {
     const DirichletPolygon domain = dirichlet_polygon(surface, result.p);
     result.farthest = farthest_points(surface, domain);
-    result.distance = distance(surface, result.p, domain, result.farthest.front());
-    (void)proof_of(*result.distance);
+    result.distance = distance(surface, result.p, domain, result.farthest.front()).document;
   } catch (const NotCertifiedError& error) {
-    result.distance.reset();
     write_left_out({std::string("the distance of p and q: ") + error.what()});
   } catch (const Error& error) {
     write_left_out({std::string("the points farthest from p: ") + error.what()});
@@ -85,7 +83,7 @@ NewFile ends_file(const std::string& path, const Where& where) {
   return {path, [&where](std::ostream& out) { certify::write_file(*where.distance, out); }};
 }
 
-using MakeBound = certify::BoundDocument (*)(const Surface&, const BoundOptions&);
+using MakeBound = Certified<certify::BoundDocument> (*)(const Surface&, const BoundOptions&);
 
 void enclose(const BoundRequest& request, MakeBound make) {
   check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json},
@@ -101,18 +99,14 @@ void enclose(const BoundRequest& request, MakeBound make) {
     options.width = width;
     options.threads = request.threads;
     options.progress = progress.shower();
-    document = make(surface, options);
-  }
-  {
-    ProgressLine progress;
-    (void)proof_of(document, own_check(request.threads, progress.shower()));
+    document = make(surface, options).document;
   }
   const Where found = where(document.net, document.claim != certify::BoundDocument::Claim::embedded_disk);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  ends_file(request.ends, found),
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
-  Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
+  Report report = verified_report();
   const Report bounds = bound_report(document);
   report.text += bounds.text;
   report.json.update(bounds.json);
@@ -152,16 +146,16 @@ void measure_eccentricity(const EccentricityRequest& request) {
                                                {"--ends", request.ends, FileType::json},
                                                {"--svg", request.svg, FileType::svg}});
   const SurfaceOrNet input = read_surface_or_net(request.surface);
-  const certify::NetDocument net = eccentricity_net(input.surface, parse_point("P", request.p, input));
-  const certify::Certificate certificate = proof_of(net, {});  // With the limit by size, as `certify` has it.
+  const auto [net, certificate] = eccentricity_net(input.surface, parse_point("P", request.p, input));
   const Where found = where(net, true);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of_eccentricity(net));
-  write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net, request.output, out); }},
+  write_outputs({{request.output, [&, &net = net](std::ostream& out) { write_net_file(net, request.output, out); }},
                  ends_file(request.ends, found),
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
   const certify::Interval value = certificate.enclosures->largest_circumradius;
-  Report report{"verdict: VERIFIED\neccentricity: " + to_string(value) + '\n',
-                Json::object({{"verdict", "VERIFIED"}, {"eccentricity", interval_json(value)}})};
+  Report report = verified_report();
+  report.text += "eccentricity: " + to_string(value) + '\n';
+  report.json["eccentricity"] = interval_json(value);
   add_where(report, found);
   write_report(report, request.json, is_stdout(request.output) || is_stdout(request.ends) || is_stdout(request.svg));
 }

@@ -11,7 +11,6 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/prove/certified.h"
 #include "triangulation/surface/atlas.h"
 
 namespace epsnet::program {
@@ -35,12 +34,11 @@ void measure_distance(const DistanceRequest& request) {
   const BasePoint p = parse_point("P", request.p, input);
   const BasePoint q = parse_point("Q", request.q, input);
   const certify::DistanceDocument document =
-      distance(input.surface, p, q, {.width = static_cast<double>(width.value())});
-  (void)proof_of(document);
+      distance(input.surface, p, q, {.width = static_cast<double>(width.value())}).document;
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
-  Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
+  Report report = verified_report();
   const Report found = distance_report(document);
   report.text += found.text;
   report.json.update(found.json);

@@ -66,8 +66,7 @@ DrawOptions shown(const DrawRequest& request, const certify::NetDocument& net) {
   if (!request.distance.empty()) options.layers.push_back(load_distance_layer(request.distance, net));
   if (request.centre->count() == 0) options.centre = centre_for(net, options);
   if (options.colouring == Colouring::values) {
-    const DistanceTable table = distances_from(net, {options.centre});
-    for (std::size_t v = 0; v < table.to.size(); ++v) options.values.push_back(table.distance(0, v));
+    options.values = rounded_distances_from(net, options.centre);
     options.values_name = "distance";
   }
   return options;

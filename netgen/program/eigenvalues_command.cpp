@@ -12,7 +12,6 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/prove/certified.h"
 
 /// The command eigenvalues: the first eigenvalues of the Laplacian in intervals, with their proof.
 namespace epsnet::program {
@@ -120,16 +119,12 @@ void find_eigenvalues(const EigenvaluesRequest& request) {
   {
     ProgressLine progress;
     options.progress = progress.shower();
-    document = eigenvalues(surface, options);
-  }
-  {
-    ProgressLine progress;
-    (void)proof_of(document, own_check(request.threads, progress.shower()));
+    document = eigenvalues(surface, options).document;
   }
   const std::string svg = request.svg.empty() ? "" : draw_svg(picture_of(document));
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
-  Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
+  Report report = verified_report();
   const auto add = [&](const Report& more) {
     report.text += more.text;
     report.json.update(more.json);

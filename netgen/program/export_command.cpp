@@ -87,10 +87,7 @@ VertexData distances_to_vertices(const ExportRequest& request, const certify::Ne
     throw UsageError("--distance-from: expected v and the number of a vertex, as in v17, not \"" +
                      request.distance_from.substr(0, 80) + "\"");
   }
-  const DistanceTable table = distances_from(net, {*vertex});
-  VertexData data{"distance", {}};
-  for (std::size_t v = 0; v < net.vertices.size(); ++v) data.values.push_back(table.distance(0, v));
-  return data;
+  return {"distance", rounded_distances_from(net, *vertex)};
 }
 
 void export_file(const ExportRequest& request) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
@@ -31,7 +32,8 @@ struct GeodesicsRequest {
   unsigned threads = 0;
 };
 
-using Compute = std::function<GeodesicsDocument(const Surface&, const GeodesicsOptions&)>;
+/// Finds geodesics; they are not proved yet.
+using Find = std::function<GeodesicsDocument(const Surface&, const GeodesicsOptions&)>;
 
 /// Returns "name: value" lines for a systole, otherwise a row for each geodesic.
 std::string geodesics_text(const GeodesicsDocument& document) {
@@ -104,7 +106,7 @@ Json geodesics_json(const GeodesicsDocument& document) {
   return result;
 }
 
-void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
+void list_geodesics(const GeodesicsRequest& request, const Find& find) {
   check_files({{"SURFACE", request.surface}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Surface surface = read_surface_input(request.surface);
@@ -113,15 +115,12 @@ void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
     ProgressLine progress;
     GeodesicsOptions options{.epsilon = parse_epsilon(request.epsilon), .threads = request.threads};
     options.progress = progress.shower();
-    document = compute(surface, options);
+    document = find(surface, options);
+    if (!request.no_certify) document = proved(std::move(document), options.threads, options.progress).document;
   }
-  Report report{"verdict: not certified (--no-certify): nothing is proved\n",
-                Json::object({{"verdict", "not certified"}})};
-  if (!request.no_certify) {
-    ProgressLine progress;
-    (void)proof_of(document, own_check(request.threads, progress.shower()));
-    report = {"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
-  }
+  Report report = request.no_certify ? Report{"verdict: not certified (--no-certify): nothing is proved\n",
+                                              Json::object({{"verdict", "not certified"}})}
+                                     : verified_report();
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
@@ -162,12 +161,7 @@ void add_systole_command(CLI::App& app, Job& chosen) {
       app.add_subcommand("systole", "The length of a shortest closed geodesic, enclosed and proved, and its word.");
   add_common(*command, *shared);
   command->footer("Example:\n  epsnet systole s.json\n  epsnet systole s.json -o systole.json && certify systole.json");
-  command->callback([&chosen, shared] {
-    chosen = [shared] {
-      list_geodesics(*shared,
-                     [](const Surface& surface, const GeodesicsOptions& options) { return systole(surface, options); });
-    };
-  });
+  command->callback([&chosen, shared] { chosen = [shared] { list_geodesics(*shared, unproved::systole); }; });
 }
 
 void add_spectrum_command(CLI::App& app, Job& chosen) {
@@ -188,7 +182,7 @@ void add_spectrum_command(CLI::App& app, Job& chosen) {
     chosen = [shared] {
       const Length up_to = parse_length("--up-to", shared->up_to);
       list_geodesics(*shared, [&](const Surface& surface, const GeodesicsOptions& options) {
-        return spectrum(surface, up_to, options);
+        return unproved::spectrum(surface, up_to, options);
       });
     };
   });
@@ -202,13 +196,7 @@ void add_thick_thin_command(CLI::App& app, Job& chosen) {
                          "into which they cut the surface.");
   add_common(*command, *shared);
   command->footer("Example:\n  epsnet thick-thin s.json\n  epsnet thick-thin s.json -o thin.json && certify thin.json");
-  command->callback([&chosen, shared] {
-    chosen = [shared] {
-      list_geodesics(*shared, [](const Surface& surface, const GeodesicsOptions& options) {
-        return thick_thin(surface, options);
-      });
-    };
-  });
+  command->callback([&chosen, shared] { chosen = [shared] { list_geodesics(*shared, unproved::thick_thin); }; });
 }
 
 }  // namespace epsnet::program

@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -49,71 +50,93 @@ IsometryOptions options_of(const IsometriesRequest& request, ProgressLine& progr
   return result;
 }
 
+/// The isometries of a surface, with the file that proves that they are all, if there is one.
+struct Isometries {
+  IsometryGroup group;
+  std::optional<certify::IsometriesDocument> proof;
+  certify::Certificate certificate;
+};
+
+/// Throws NotCertifiedError if there is no proof, but a file to write.
+Isometries isometries_of(const Surface& surface, const IsometriesRequest& request) {
+  ProgressLine progress;
+  const IsometryOptions options = options_of(request, progress);
+  IsometryGroup group = isometries(surface, options);
+  try {
+    auto [document, certificate] = certified_isometries(surface, group, options);
+    return {std::move(group), std::move(document), std::move(certificate)};
+  } catch (const NotCertifiedError& error) {
+    if (!request.output.empty()) throw;
+    return {std::move(group), std::nullopt, error.certificate()};
+  }
+}
+
+Json group_json(const IsometryGroup& group, const std::vector<Word>& words) {
+  Json json = Json::object({{"order", group.size()}, {"orientation_preserving", group.orientation_preserving()}});
+  if (const std::string name = group.name(); !name.empty()) json["name"] = name;
+  json["words"] = words;
+  json["generators"] = group.generators();
+  json["isometries"] = Json::array();
+  for (std::uint32_t i = 0; i < group.size(); ++i) {
+    Json& entry = json["isometries"].emplace_back(isometry_json(group.isometries()[i]));
+    entry["order"] = group.order(i);
+    if (const auto count = group.fixed_points(i)) entry["fixed_points"] = *count;
+  }
+  return json;
+}
+
+std::string group_text(const IsometryGroup& group, const std::vector<Word>& words) {
+  std::ostringstream out;
+  out << "isometries: " << group.size() << ", of which " << group.orientation_preserving() << " preserve orientation\n";
+  if (const std::string name = group.name(); !name.empty()) out << "group: " << name << '\n';
+  // By kind: orientation, order, fixed points; −1 where they are not points alone.
+  std::map<std::tuple<bool, std::uint32_t, std::int64_t>, std::size_t> kinds;
+  for (std::uint32_t i = 0; i < group.size(); ++i) {
+    const auto points = group.fixed_points(i);
+    ++kinds[{!group.isometries()[i].preserves_orientation, group.order(i),
+             points ? static_cast<std::int64_t>(*points) : -1}];
+  }
+  for (const auto& [kind, count] : kinds) {
+    const auto& [reverses, order, points] = kind;
+    out << count << " of order " << order << ", " << orientation_text(!reverses);
+    if (points >= 0) out << ", " << points << (points == 1 ? " fixed point" : " fixed points");
+    out << '\n';
+  }
+  for (const std::uint32_t g : group.generators()) {
+    out << "generator " << g << ": order " << group.order(g) << ", "
+        << orientation_text(group.isometries()[g].preserves_orientation) << '\n';
+    write_images(out, words, group.isometries()[g]);
+  }
+  return out.str();
+}
+
+/// The closed geodesics on which it rests that these are all.
+std::string geodesics_used_text(const Isometries& found) {
+  const certify::GeodesicsDocument& used = found.proof ? *found.proof : found.group.geodesics();
+  return "closed geodesics used: " + std::to_string(used.geodesics.size()) + ", of length at most " + used.up_to +
+         '\n' +
+         (found.proof
+              ? ""
+              : "each of these is an isometry, decided by exact numbers; that there is no other one is computed "
+                "with 256 bits\n");
+}
+
 void list_isometries(const IsometriesRequest& request) {
   check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
   const Surface surface = read_surface_input(request.surface);
-  const auto [group, proof] = [&] {
-    ProgressLine progress;
-    const IsometryOptions options = options_of(request, progress);
-    IsometryGroup found = isometries(surface, options);
-    CertifiedIsometries certified = certified_isometries(surface, found, options);
-    return std::pair(std::move(found), std::move(certified));
-  }();
-  const std::string verdict = certify::verdict_line(proof.certificate);
-  const bool proved = proof.certificate.verdict == certify::Verdict::verified;
-  if (!proved && !request.output.empty()) throw JobError("not certified: " + verdict + "; nothing was written");
+  const Isometries found = isometries_of(surface, request);
+  const std::string verdict = certify::verdict_line(found.certificate);
   const std::vector<Word> words = generator_words(surface);
-  const auto preserving = group.orientation_preserving();
-  const std::string name = group.name();
   Report report;
   if (request.json) {
-    Json& json = report.json;
-    json["verdict"] = certify::name(proof.certificate.verdict);
-    json["order"] = group.size();
-    json["orientation_preserving"] = preserving;
-    if (!name.empty()) json["name"] = name;
-    json["words"] = words;
-    json["generators"] = group.generators();
-    json["isometries"] = Json::array();
-    for (std::uint32_t i = 0; i < group.size(); ++i) {
-      Json& entry = json["isometries"].emplace_back(isometry_json(group.isometries()[i]));
-      entry["order"] = group.order(i);
-      if (const auto count = group.fixed_points(i)) entry["fixed_points"] = *count;
-    }
+    report.json["verdict"] = certify::name(found.certificate.verdict);
+    report.json.update(group_json(found.group, words));
   } else {
-    std::ostringstream out;
-    out << "verdict: " << verdict << '\n';
-    out << "isometries: " << group.size() << ", of which " << preserving << " preserve orientation\n";
-    if (!name.empty()) out << "group: " << name << '\n';
-    // By kind: orientation, order, fixed points; −1 where they are not points alone.
-    std::map<std::tuple<bool, std::uint32_t, std::int64_t>, std::size_t> kinds;
-    for (std::uint32_t i = 0; i < group.size(); ++i) {
-      const auto points = group.fixed_points(i);
-      ++kinds[{!group.isometries()[i].preserves_orientation, group.order(i),
-               points ? static_cast<std::int64_t>(*points) : -1}];
-    }
-    for (const auto& [kind, count] : kinds) {
-      const auto& [reverses, order, points] = kind;
-      out << count << " of order " << order << ", " << orientation_text(!reverses);
-      if (points >= 0) out << ", " << points << (points == 1 ? " fixed point" : " fixed points");
-      out << '\n';
-    }
-    for (const std::uint32_t g : group.generators()) {
-      out << "generator " << g << ": order " << group.order(g) << ", "
-          << orientation_text(group.isometries()[g].preserves_orientation) << '\n';
-      write_images(out, words, group.isometries()[g]);
-    }
-    out << "closed geodesics used: " << proof.document.geodesics.size() << ", of length at most "
-        << proof.document.up_to << '\n';
-    if (!proved) {
-      out << "each of these is an isometry, decided by exact numbers; that there is no other one is computed with 256 "
-             "bits\n";
-    }
-    report.text = out.str();
+    report.text = "verdict: " + verdict + '\n' + group_text(found.group, words) + geodesics_used_text(found);
   }
-  write_outputs({{request.output, [&proof = proof](std::ostream& out) { certify::write_file(proof.document, out); }}});
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(*found.proof, out); }}});
   write_report(report, request.json, is_stdout(request.output));
-  if (!proved) throw UndecidedError(verdict);
+  if (!found.proof) throw UndecidedError(verdict);
 }
 
 const char* answer_text(IsometricAnswer::Kind kind) {

@@ -14,8 +14,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "certify/base/error.h"
 #include "certify/base/fault.h"
-#include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/help.h"
@@ -144,11 +144,7 @@ int run(int argc, char** argv) {
     return fail(kExitUndecided, error.what());
   } catch (const NotCertifiedError& error) {
     return fail(kExitFailed, std::string(error.what()) + "; nothing was written");
-  } catch (const Error& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const certify::FileError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const certify::MalformedError& error) {
+  } catch (const certify::LocatedError& error) {
     return fail(kExitFailed, error.what());
   }
 }

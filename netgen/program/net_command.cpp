@@ -188,9 +188,7 @@ UncertifiedNet compute(const Surface& surface, const Length& epsilon, NetOptions
 
 certify::Certificate certify_net(const certify::NetDocument& net, unsigned threads) {
   ProgressLine progress;
-  certify::CheckOptions options = own_check(threads, progress.shower());
-  options.max_work = 0;  // The limit by size: so `certify` verifies the file without options.
-  return proof_of(net, options);
+  return proof_of(net, threads, progress.shower());
 }
 
 void check_request(const NetRequest& request) {

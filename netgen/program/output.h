@@ -87,6 +87,9 @@ struct Report {
   Json json = Json::object();
 };
 
+/// Returns the beginning of a report about what is proved.
+[[nodiscard]] Report verified_report();
+
 /// Writes what a picture could not show to standard error, one line each.
 void write_left_out(const std::vector<std::string>& left_out);
 

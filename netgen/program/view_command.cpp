@@ -25,29 +25,15 @@ struct ViewRequest {
   certify::CheckOptions check;
 };
 
-/// With more vertices a page would take seconds longer.
-constexpr std::size_t kMostVerticesWithDistances = 100'000;
-
-/// Returns the distances of all vertices from vertex 0, for a colouring; none if they cannot be computed, and then
-/// `report` says so.
-std::vector<double> distances_from_0(const certify::NetDocument& net,
-                                     const std::optional<certify::Certificate>& certificate, Report& report) {
-  std::vector<double> result;
-  if (!certificate || certificate->verdict != certify::Verdict::verified) return result;
-  const auto leave_out = [&](const std::string& why) {
-    report.text += "left out: distances: " + why + '\n';
-    report.json["left_out"]["distances"] = why;
-    return std::vector<double>();
-  };
-  if (net.vertices.size() > kMostVerticesWithDistances) {
-    return leave_out("more than " + std::to_string(kMostVerticesWithDistances) + " vertices");
-  }
+/// Returns the distances by which the page colours the net; none if there are none, and then `report` says why.
+std::vector<double> page_distances(const certify::NetDocument& net,
+                                   const std::optional<certify::Certificate>& certificate, Report& report) {
   try {
-    const DistanceTable table = distances_from(net, {0});
-    for (std::size_t v = 0; v < table.to.size(); ++v) result.push_back(table.distance(0, v));
-    return result;
+    return distances_for_page(net, certificate);
   } catch (const Error& error) {
-    return leave_out(error.what());
+    report.text += std::string("left out: distances: ") + error.what() + '\n';
+    report.json["left_out"]["distances"] = error.what();
+    return {};
   }
 }
 
@@ -67,7 +53,7 @@ std::string page(const ViewRequest& request, const certify::NetDocument& net,
       report.text += "left out: " + layer.name + ": " + layer.left_out + '\n';
       report.json["left_out"][layer.name] = layer.left_out;
     }
-    options.distances = distances_from_0(net, certificate, report);
+    options.distances = page_distances(net, certificate, report);
     return viewer_page(net, options);
   } catch (const NetGeometryError& error) {
     throw JobError(request.net + ": " + error.what());

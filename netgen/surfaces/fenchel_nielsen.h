@@ -116,19 +116,13 @@ class CoordinateError : public SurfaceError {
 class FenchelNielsenRequestError : public Error {
  public:
   /// An error that belongs to no single member.
-  explicit FenchelNielsenRequestError(const std::string& problem) : Error(problem), problem_(problem) {}
+  explicit FenchelNielsenRequestError(const std::string& problem) : Error(problem) {}
   /// An error in a member, with the problem.
   FenchelNielsenRequestError(const std::string& member, const std::string& problem)
-      : Error(member + ": " + problem), member_(member), problem_(problem) {}
+      : Error(certify::ErrorParts{.place = member, .problem = problem}) {}
 
   /// "graph", "genus", "seed", "lengths", "twists", or empty.
-  [[nodiscard]] const std::string& member() const { return member_; }
-  /// The problem, without the name of the member.
-  [[nodiscard]] const std::string& problem() const { return problem_; }
-
- private:
-  std::string member_;
-  std::string problem_;
+  [[nodiscard]] const std::string& member() const { return place(); }
 };
 
 /// Fenchel–Nielsen coordinates as given on a command line or in a JSON file. Missing values are drawn with the seed.

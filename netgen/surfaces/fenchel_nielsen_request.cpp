@@ -227,8 +227,7 @@ FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {
     try {
       return request_of(certify::parse_file<certify::PantsDocument>(text, ""));
     } catch (const certify::MalformedError& error) {
-      // After the name of the file, which whoever read it knows.
-      throw RequestError(std::string(std::string_view(error.what()).substr(std::string_view(": ").size())));
+      throw RequestError(error.what());  // Without the name of the file, which whoever read it knows.
     }
   }
 }

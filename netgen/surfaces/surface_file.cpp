@@ -63,7 +63,7 @@ Surface from_document(const certify::SurfaceDocument& surface, const std::string
   try {
     return from_document(surface);
   } catch (const SurfaceError& error) {
-    throw SurfaceError(name + ": " + error.what());
+    throw SurfaceError(certify::ErrorParts{.file = name, .problem = error.what()});
   }
 }
 

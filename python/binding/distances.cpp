@@ -4,9 +4,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
@@ -27,14 +24,14 @@ BasePoint point_of(const certify::RationalPoint& z, std::uint32_t tile) {
 struct NamedBound {
   BoundDocument::Claim claim;
   const char* name;
-  BoundDocument (*make)(const Surface&, const BoundOptions&);
+  Certified<BoundDocument> (*make)(const Surface&, const BoundOptions&);
 };
 constexpr NamedBound kBounds[] = {{BoundDocument::Claim::diameter, "diameter", &diameter},
                                   {BoundDocument::Claim::radius, "radius", &radius},
                                   {BoundDocument::Claim::embedded_disk, "embedded-disk", &largest_embedded_disk}};
 
-SharedBound enclose(const Surface& surface, const std::string& claim, double width, unsigned threads,
-                    const py::object& callback) {
+std::pair<SharedBound, certify::Certificate> enclose(const Surface& surface, const std::string& claim, double width,
+                                                     unsigned threads, const py::object& callback) {
   const auto* const found =
       std::find_if(std::begin(kBounds), std::end(kBounds), [&](const NamedBound& c) { return claim == c.name; });
   if (found == std::end(kBounds)) throw std::invalid_argument("there is no claim " + claim);
@@ -43,7 +40,7 @@ SharedBound enclose(const Surface& surface, const std::string& claim, double wid
     options.width = width;
     options.threads = threads;
     options.progress = progress;
-    return SharedBound(make(surface, options));
+    return shared(make(surface, options));
   };
   return interruptible(search, callback);
 }
@@ -65,19 +62,11 @@ std::uint64_t cells_of(const BoundDocument& document) {
 
 void bind_distances(py::module_& module) {
   py::class_<SharedDistance> distances(module, "Distance");
-  bind_document<DistanceDocument>(
-      distances,
-      [](const DistanceDocument& document, const certify::CheckOptions& options) {
-        return certify::check(document, options);
-      },
-      [](const DistanceDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) {
-        return certify::parse_file<certify::DistanceDocument>(text, name);
-      });
+  bind_document<DistanceDocument>(distances);
   distances
       .def_static("measure",
                   [](const Surface& surface, const BasePoint& p, const BasePoint& q, double width) {
-                    return interruptible([=] { return SharedDistance(distance(surface, p, q, {.width = width})); });
+                    return interruptible([=] { return shared(distance(surface, p, q, {.width = width})); });
                   })
       .def("svg", [](const SharedDistance& self,
                      std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
@@ -89,15 +78,7 @@ void bind_distances(py::module_& module) {
                              [](const SharedDistance& self) { return point_of(self->point.z, self->point.tile); });
 
   py::class_<SharedBound> bounds(module, "Cover");
-  bind_document<BoundDocument>(
-      bounds,
-      [](const BoundDocument& document, const certify::CheckOptions& options) {
-        return certify::check(document, options);
-      },
-      [](const BoundDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) {
-        return certify::parse_file<certify::BoundDocument>(text, name);
-      });
+  bind_document<BoundDocument>(bounds);
   bounds.def_static("enclose", &enclose)
       .def("svg", [](const SharedBound& self,
                      std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
@@ -108,7 +89,7 @@ void bind_distances(py::module_& module) {
       .def_property_readonly("triangulations", [](const SharedBound& self) { return self->triangulations.size() + 1; });
 
   module.def("eccentricity_net", [](const Surface& surface, const BasePoint& point) {
-    return interruptible([=] { return SharedNet(eccentricity_net(surface, point)); });
+    return interruptible([=] { return shared(eccentricity_net(surface, point)); });
   });
   module.def("farthest_points", [](const Surface& surface, const BasePoint& point) {
     return interruptible([=] { return farthest_points(surface, dirichlet_polygon(surface, point)); });

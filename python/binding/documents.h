@@ -2,7 +2,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
 #include "netgen/pictures/net_pictures.h"
@@ -22,45 +26,40 @@ struct Shared {
   const Document* operator->() const { return document.get(); }
 };
 
-/// How a check is done: of what was made here, or of a file, which may take only the work that one of its size may.
-[[nodiscard]] inline certify::CheckOptions check_options(unsigned threads, bool own, const Progress& progress) {
-  if (own) return own_check(threads, progress);
-  certify::CheckOptions options;
-  options.threads = threads;
-  options.progress = progress;
-  return options;
+/// A proved document as Python holds it, with its certificate.
+template <class Document>
+[[nodiscard]] std::pair<Shared<Document>, certify::Certificate> shared(Certified<Document> found) {
+  return {Shared<Document>(std::move(found.document)), std::move(found.certificate)};
 }
 
-/// What all documents have: their check, their text, the file.
-///
-/// `check(document, options)` and `write(document, stream)` are those of the kind.
-template <class Document, class Class, class Check, class Write, class Parse>
-void bind_document(Class& bound, const Check& check, const Write& write, const Parse& parse) {
+/// What all documents have: their check, as of a file that somebody else made, their text, the file.
+template <class Document, class Class>
+void bind_document(Class& bound) {
   bound
       .def(
           "check",
-          [check](const Shared<Document>& self, unsigned threads, bool unlimited, const py::object& callback) {
-            const auto checked = [self, check, threads, unlimited](const Progress& progress) {
-              return check(*self, check_options(threads, unlimited, progress));
+          [](const Shared<Document>& self, unsigned threads, const py::object& callback) {
+            const auto checked = [self, threads](const Progress& progress) {
+              return certify::check(*self, {.threads = threads, .progress = progress});
             };
             return interruptible(checked, callback);
           },
-          py::arg("threads") = 0, py::arg("unlimited") = false, py::arg("progress") = py::none())
+          py::arg("threads") = 0, py::arg("progress") = py::none())
       .def(
           "save",
-          [write](const Shared<Document>& self, const std::filesystem::path& path) {
-            save(path, [self, write](std::ostream& out) { write(*self, out); });
+          [](const Shared<Document>& self, const std::filesystem::path& path) {
+            save(path, [self](std::ostream& out) { certify::write_file(*self, out); });
           },
           py::arg("path"))
       .def("text",
-           [write](const Shared<Document>& self) {
-             return py::bytes(
-                 interruptible([self, write] { return written([&](std::ostream& out) { write(*self, out); }); }));
+           [](const Shared<Document>& self) {
+             return py::bytes(interruptible(
+                 [self] { return written([&](std::ostream& out) { certify::write_file(*self, out); }); }));
            })
       .def_static(
           "parse",
-          [parse](const std::string& text, const std::string& name) {
-            return interruptible([=] { return Shared<Document>(parse(text, name)); });
+          [](const std::string& text, const std::string& name) {
+            return interruptible([=] { return Shared<Document>(certify::parse_file<Document>(text, name)); });
           },
           py::arg("text"), py::arg("name"))
       .def("__eq__", [](const Shared<Document>& a, const Shared<Document>& b) {

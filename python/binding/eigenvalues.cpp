@@ -1,8 +1,5 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
 #include "netgen/pictures/pictures.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
@@ -13,15 +10,7 @@ void bind_eigenvalues(py::module_& module) {
   using certify::EigenvaluesDocument;
   using SharedEigenvalues = Shared<EigenvaluesDocument>;
   py::class_<SharedEigenvalues> bound(module, "Eigenvalues");
-  bind_document<EigenvaluesDocument>(
-      bound,
-      [](const EigenvaluesDocument& document, const certify::CheckOptions& options) {
-        return certify::check(document, options);
-      },
-      [](const EigenvaluesDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) {
-        return certify::parse_file<EigenvaluesDocument>(text, name);
-      });
+  bind_document<EigenvaluesDocument>(bound);
   bound
       .def_static("find",
                   [](const Surface& surface, std::optional<std::uint32_t> count, std::optional<double> below,
@@ -33,7 +22,7 @@ void bind_eigenvalues(py::module_& module) {
                     const auto search = [surface, options](const Progress& progress) {
                       EigenvaluesOptions with_progress = options;
                       with_progress.progress = progress;
-                      return SharedEigenvalues(eigenvalues(surface, with_progress));
+                      return shared(eigenvalues(surface, with_progress));
                     };
                     return interruptible(search, callback);
                   })

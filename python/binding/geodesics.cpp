@@ -1,8 +1,5 @@
 #include "netgen/geodesics/geodesics.h"
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 
@@ -18,13 +15,12 @@ const char* name_of(GeodesicsDocument::Claim claim) {
   return claim == Claim::spectrum ? "spectrum" : "thick-thin";
 }
 
-/// What the function `find(surface, options)` finds, not proved yet.
+/// What the function `find(surface, options)` finds, and its certificate.
 template <class Find>
-SharedGeodesics found(const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& callback,
-                      const Find& find) {
+std::pair<SharedGeodesics, certify::Certificate> found(const Surface& surface, const std::string& epsilon,
+                                                       unsigned threads, const py::object& callback, const Find& find) {
   const auto search = [surface, find, epsilon = Length(epsilon), threads](const Progress& progress) {
-    return SharedGeodesics(
-        find(surface, GeodesicsOptions{.epsilon = epsilon, .threads = threads, .progress = progress}));
+    return shared(find(surface, GeodesicsOptions{.epsilon = epsilon, .threads = threads, .progress = progress}));
   };
   return interruptible(search, callback);
 }
@@ -33,15 +29,7 @@ SharedGeodesics found(const Surface& surface, const std::string& epsilon, unsign
 
 void bind_geodesics(py::module_& module) {
   py::class_<SharedGeodesics> bound(module, "Geodesics");
-  bind_document<GeodesicsDocument>(
-      bound,
-      [](const GeodesicsDocument& document, const certify::CheckOptions& options) {
-        return certify::check(document, options);
-      },
-      [](const GeodesicsDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) {
-        return certify::parse_file<certify::GeodesicsDocument>(text, name);
-      });
+  bind_document<GeodesicsDocument>(bound);
   bound
       .def_static("systole",
                   [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {

@@ -1,8 +1,5 @@
 #include "netgen/isometries/isometries.h"
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 
@@ -12,15 +9,7 @@ void bind_isometries(py::module_& module) {
   using certify::IsometriesDocument;
   using SharedProof = Shared<IsometriesDocument>;
   py::class_<SharedProof> proof(module, "IsometryProof");
-  bind_document<IsometriesDocument>(
-      proof,
-      [](const IsometriesDocument& document, const certify::CheckOptions& options) {
-        return certify::check(document, options);
-      },
-      [](const IsometriesDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) {
-        return certify::parse_file<IsometriesDocument>(text, name);
-      });
+  bind_document<IsometriesDocument>(proof);
   proof.def_property_readonly("net", [](const SharedProof& self) { return SharedNet(self->net); })
       .def_property_readonly("up_to", [](const SharedProof& self) { return self->up_to; })
       .def_property_readonly("order", [](const SharedProof& self) { return self->order; })
@@ -42,9 +31,7 @@ void bind_isometries(py::module_& module) {
            [](const IsometryGroup& self, const Surface& surface, unsigned threads, const py::object& callback) {
              return interruptible(
                  [=](const Progress& progress) {
-                   auto [document, certificate] =
-                       certified_isometries(surface, self, {.threads = threads, .progress = progress});
-                   return std::pair(SharedProof(std::move(document)), std::move(certificate));
+                   return shared(certified_isometries(surface, self, {.threads = threads, .progress = progress}));
                  },
                  callback);
            })

@@ -6,8 +6,6 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
@@ -101,22 +99,12 @@ Layer geodesic_layer(const NetDocument& net, const certify::GeodesicsDocument& g
   return layer;
 }
 
-/// The distances of all vertices from one, rounded.
-std::vector<double> distances_of_vertices(const NetDocument& net, std::uint32_t vertex) {
-  const DistanceTable table = distances_from(net, {vertex});
-  std::vector<double> result;
-  for (std::size_t v = 0; v < table.to.size(); ++v) result.push_back(table.distance(0, v));
-  return result;
-}
-
 std::string page(const NetDocument& net, const std::string& title, const std::optional<certify::Certificate>& verdict,
-                 const std::vector<Layer>& more, bool with_distances) {
+                 const std::vector<Layer>& more) {
   ViewerOptions options{.title = title, .certificate = verdict, .layers = standard_layers(net)};
-  if (with_distances) {
-    try {
-      options.distances = distances_of_vertices(net, 0);
-    } catch (const Error&) {  // The page does without.
-    }
+  try {
+    options.distances = distances_for_page(net, verdict);
+  } catch (const Error&) {  // The page does without.
   }
   options.layers.insert(options.layers.end(), more.begin(), more.end());
   return viewer_page(net, options);
@@ -126,7 +114,7 @@ std::string exported(const NetDocument& net, const std::string& format, std::opt
   return written([&](std::ostream& out) {
     if (format == "off") return write_off(net, out);
     if (format == "vtu" && distance_from) {
-      return write_vtu_with({"distance", distances_of_vertices(net, *distance_from)}, net, out);
+      return write_vtu_with({"distance", rounded_distances_from(net, *distance_from)}, net, out);
     }
     if (format == "vtu") return write_vtu(net, out);
     if (format == "gmsh") return write_gmsh(net, out);
@@ -180,11 +168,11 @@ py::tuple compute(const Surface& surface, const std::string& epsilon, const NetO
                   const py::object& callback) {
   const auto make = [surface, length = Length(epsilon), options = given](const Progress& progress) mutable {
     options.progress = progress;
-    options.check = check_options(options.threads, true, progress);
-    return certified_net(surface, length, options);
+    auto [net, statistics] = compute_net(surface, length, options);
+    return std::pair(shared(proved(std::move(net), options.threads, progress)), statistics);
   };
-  CertifiedNet net = interruptible(make, callback);
-  return py::make_tuple(SharedNet(std::move(net.net)), std::move(net.certificate), statistics_of(net.statistics));
+  auto [found, statistics] = interruptible(make, callback);
+  return py::make_tuple(std::move(found.first), std::move(found.second), statistics_of(statistics));
 }
 
 /// Finds points, one at a time.
@@ -261,7 +249,7 @@ std::pair<std::string, std::vector<std::string>> picture(const NetDocument& net,
   if (asked.tiles) options.layers.push_back(tile_layer(net));
   options.layers.insert(options.layers.end(), layers.begin(), layers.end());
   if (asked.distances) {
-    options.values = distances_of_vertices(net, options.centre);
+    options.values = rounded_distances_from(net, options.centre);
     options.values_name = "distance";
   }
   std::vector<std::string> left_out;
@@ -399,10 +387,10 @@ void bind_net_pictures(NetClass& bound) {
       .def(
           "page",
           [](const SharedNet& self, const std::string& title, const std::optional<certify::Certificate>& certificate,
-             const std::vector<Layer>& layers, bool distances) {
-            return interruptible([=] { return page(*self, title, certificate, layers, distances); });
+             const std::vector<Layer>& layers) {
+            return interruptible([=] { return page(*self, title, certificate, layers); });
           },
-          py::arg("title"), py::arg("certificate"), py::arg("layers"), py::arg("distances"))
+          py::arg("title"), py::arg("certificate"), py::arg("layers"))
       .def("eccentricity_svg",
            [](const SharedNet& self, std::uint32_t size) {
              return svg_of([self] { return picture_of_eccentricity(*self); }, size);
@@ -447,12 +435,7 @@ void bind_net_options(py::module_& module) {
 
 void bind_net(py::module_& module) {
   NetClass net(module, "Net");
-  bind_document<NetDocument>(
-      net, [](const NetDocument& document, const certify::CheckOptions& options) { return check(document, options); },
-      [](const NetDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) {
-        return certify::parse_file<certify::NetDocument>(text, name);
-      });
+  bind_document<NetDocument>(net);
   bind_computation(net);
   bind_net_arrays(net);
   bind_net_geometry(net);

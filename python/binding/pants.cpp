@@ -1,8 +1,5 @@
 #include "netgen/pants/pants.h"
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
@@ -13,13 +10,7 @@ void bind_pants(py::module_& module) {
   using certify::PantsDocument;
   using SharedPants = Shared<PantsDocument>;
   py::class_<SharedPants> bound(module, "PantsDecomposition");
-  bind_document<PantsDocument>(
-      bound,
-      [](const PantsDocument& document, const certify::CheckOptions& options) {
-        return certify::check(document, options);
-      },
-      [](const PantsDocument& document, std::ostream& out) { certify::write_file(document, out); },
-      [](const std::string& text, const std::string& name) { return certify::parse_file<PantsDocument>(text, name); });
+  bind_document<PantsDocument>(bound);
   bound
       .def_static("find",
                   [](const Surface& surface, const std::vector<Word>& curves, bool find, unsigned threads,

@@ -28,7 +28,7 @@ _EXPONENT = re.compile(r"[eE]([+-]?\d+)\s*$")
 def refuse(expected: str, x: object, name: str) -> NoReturn:
     """Raises the error for an argument that cannot be meant."""
     text = repr(x)
-    raise ArgumentError(f"expected {expected}, not {text if len(text) <= 200 else text[:200] + '…'}", place=name) from None
+    raise ArgumentError(f"expected {expected}, not {text if len(text) <= 200 else text[:200] + '…'}", place=name, expected=expected) from None
 
 
 @contextmanager
@@ -39,7 +39,7 @@ def argument(name: str) -> Iterator[None]:
     except EpsnetError as error:
         if error.place is not None or error.file is not None:
             raise
-        raise type(error)(error.reason, place=name) from None
+        raise type(error)(error.reason, place=name, expected=error.expected) from None
 
 
 def exact(x: Any, name: str) -> Fraction:

@@ -101,4 +101,4 @@ def _format_of(text: bytes) -> Optional[str]:
 def certified(core: Core, name: str, shower: Shower) -> Certificate:
     """The certificate of a file. Raises NotVerifiedError unless it is verified."""
     with shower as callback:
-        return required(Certificate(core.check(0, False, callback)), name)
+        return required(Certificate(core.check(0, callback)), name, name)

@@ -5,7 +5,6 @@ import html
 from typing import Any, NamedTuple, Optional, Union
 
 from . import _epsnet
-from ._progress import Progress, Shower
 from .errors import NotVerifiedError
 from .intervals import Interval
 
@@ -125,17 +124,10 @@ class Certificate:
         return f"<b style='color:{colour}'>{html.escape(str(self))}</b><table>{rows}</table>"
 
 
-def checked(document: Any, progress: Progress, threads: int = 0, *, subject: str) -> Certificate:
-    """Returns the certificate of a document made by this library. Raises NotVerifiedError unless it is verified."""
-    with Shower(progress) as callback:
-        certificate = Certificate(document.check(threads, True, callback))
-    return required(certificate, subject)
-
-
-def required(certificate: Certificate, subject: str) -> Certificate:
-    """The certificate, if it is verified."""
+def required(certificate: Certificate, subject: str, file: Optional[str] = None) -> Certificate:
+    """The certificate, if it is verified. `subject` is what it is of, `file` the name of the file."""
     if not certificate.verified:
-        raise NotVerifiedError(f"{subject}: not verified: {certificate}", certificate)
+        raise NotVerifiedError(f"{subject}: not verified: {certificate}", certificate, file)
     return certificate
 
 
@@ -149,7 +141,7 @@ class Proof:
     @property
     def certificate(self) -> Certificate:
         if self._certificate is None:
-            self._certificate = Certificate(self.document.check(0, False, None))
+            self._certificate = Certificate(self.document.check())
         return self._certificate
 
     @property

@@ -9,7 +9,7 @@ from ._annotations import Surface
 from ._arguments import Number, as_fraction, as_index, as_threads, refuse
 from ._documents import Core, Document
 from ._progress import Progress, Shower
-from .certificates import Certificate, checked
+from .certificates import Certificate
 from .intervals import Interval
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of
@@ -183,10 +183,9 @@ def _width(width: Number) -> float:
 
 def distance(surface: "Surface", p: PointLike, q: PointLike, width: Number) -> Distance:
     start, end = base_point(surface._core, p, "p"), base_point(surface._core, q, "q")
-    core = _epsnet.Distance.measure(surface._core, start, end, _width(width))
-    certificate = checked(core, False, subject="distance")
+    core, certificate = _epsnet.Distance.measure(surface._core, start, end, _width(width))
     # Measured from q, if p is not strictly inside of its tile.
-    return Distance(core, surface, certificate, core.point == start and core.point != end)
+    return Distance(core, surface, Certificate(certificate), core.point == start and core.point != end)
 
 
 _COVERS = {"diameter": Diameter, "radius": Radius, "embedded-disk": EmbeddedDisk}
@@ -202,10 +201,10 @@ def cover(surface: "Surface", claim: str, width: Number, threads: int, progress:
     if size < _epsnet.least_bound_width:
         refuse(f"a width of at least {_epsnet.least_bound_width}", width, "width")
     with Shower(progress) as callback:
-        core = _epsnet.Cover.enclose(surface._core, claim, size, threads, callback)
-    return cover_of(core, surface, checked(core, progress, threads, subject=claim))
+        core, certificate = _epsnet.Cover.enclose(surface._core, claim, size, threads, callback)
+    return cover_of(core, surface, Certificate(certificate))
 
 
 def eccentricity(surface: "Surface", p: PointLike) -> Eccentricity:
-    core = _epsnet.eccentricity_net(surface._core, base_point(surface._core, p, "p"))
-    return Eccentricity(Net(core, surface, checked(core, False, subject="eccentricity")))
+    core, certificate = _epsnet.eccentricity_net(surface._core, base_point(surface._core, p, "p"))
+    return Eccentricity(Net(core, surface, Certificate(certificate)))

@@ -14,7 +14,7 @@ from ._arguments import Number, as_choice, as_fraction, as_index, as_threads, le
 from ._documents import Document
 from ._immutable import Immutable
 from ._progress import Progress, Shower
-from .certificates import Certificate, checked
+from .certificates import Certificate
 from .errors import ArgumentError
 from .intervals import Interval
 from .nets import Net
@@ -179,5 +179,5 @@ def eigenvalues(
     length = None if epsilon is None else length_text(epsilon, "epsilon")
     threads = as_threads(threads)
     with Shower(progress) as callback:
-        core = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, threads, callback)
-    return Eigenvalues(core, surface, checked(core, progress, threads, subject="eigenvalues"))
+        core, certificate = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, threads, callback)
+    return Eigenvalues(core, surface, Certificate(certificate))

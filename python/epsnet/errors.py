@@ -1,7 +1,6 @@
 """The exceptions of epsnet: one family. Each names the place and the reason of the error."""
 from __future__ import annotations
 
-import re
 from typing import Any, Optional
 
 from ._annotations import Certificate
@@ -9,11 +8,6 @@ from ._annotations import Certificate
 __all__ = [
     "ArgumentError", "EpsnetError", "FileError", "FormatError", "LimitError", "NetError", "NotVerifiedError", "SurfaceError", "UndecidedError",
 ]
-
-_FILE = re.compile(r'("(?:[^"\\]|\\.)*"|standard input|[^:"]+(?=:\d+: )): ?', re.S)
-_PATH = re.compile(r"(.+?): ", re.S)  # As files that cannot be written are called.
-_PLACE = re.compile(r"([A-Za-z_ ]+(?:\.[a-z_]+|\[\d+\])*): ")  # As surface.gluing[0] and triangles[3].label.
-_LINE = re.compile(r"(\d+): ")
 
 
 class EpsnetError(Exception):
@@ -33,23 +27,19 @@ class EpsnetError(Exception):
     file: Optional[str]
     #: The part of the file or of the arguments that is to blame: a member and row, a line, the name of an argument, a rule.
     place: Optional[str]
-    #: What is wrong with it.
+    #: What is wrong with it, and what was expected.
     reason: str
+    #: What was expected, where the reason ends with it; otherwise None.
+    expected: Optional[str]
 
-    def __init__(self, message: str, *, place: Optional[str] = None) -> None:
-        super().__init__(message if place is None else f"{place}: {message}")
-        self.file = None
+    def __init__(
+        self, reason: str, *, file: Optional[str] = None, place: Optional[str] = None, expected: Optional[str] = None, text: Optional[str] = None,
+    ) -> None:
+        super().__init__(text or ": ".join(part for part in (file, place, reason) if part))
+        self.file = file and file.strip('"')
         self.place = place
-        self.reason = message
-        found = _FILE.match(message) or (_PATH.match(message) if isinstance(self, FileError) else None)
-        if place is not None or not found:
-            return
-        self.file = found.group(1).strip('"')
-        self.reason = message[found.end():]
-        inside = _LINE.match(self.reason) or (_PLACE.match(self.reason) if isinstance(self, FormatError) else None)
-        if inside:
-            self.place = inside.group(1)
-            self.reason = self.reason[inside.end():]
+        self.reason = reason
+        self.expected = expected
 
 
 class ArgumentError(EpsnetError, ValueError):
@@ -86,11 +76,9 @@ class UndecidedError(EpsnetError, ArithmeticError):
 class NotVerifiedError(EpsnetError):
     """The checker did not say VERIFIED, so there is no result. ``certificate`` is the checker's result."""
 
-    def __init__(self, message: str, certificate: "Certificate") -> None:
-        super().__init__(message)
+    def __init__(self, text: str, certificate: "Certificate", file: Optional[str] = None) -> None:
+        super().__init__(certificate.message, file=file, place=certificate.rule or None, text=text)
         self.certificate = certificate
-        self.place = certificate.rule or None
-        self.reason = certificate.message
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.args[0], self.certificate)
+        return type(self), (self.args[0], self.certificate, self.file)

@@ -70,4 +70,4 @@ def certify(path: Path, *, threads: int = 0, progress: Progress = None) -> Certi
     file, threads, shower = as_path(path), as_threads(threads), Shower(progress)
     core = _epsnet.parse_claim(_epsnet.read(file), _epsnet.display_name(file))
     with shower as callback:
-        return Certificate(core.check(threads, False, callback))
+        return Certificate(core.check(threads, callback))

@@ -12,7 +12,7 @@ from ._annotations import Surface
 from ._arguments import Number, Path, as_index, as_threads, length_text
 from ._documents import Document
 from ._progress import Progress, Shower
-from .certificates import Certificate, checked
+from .certificates import Certificate
 from .intervals import Interval, ends
 from .isometries import Isometry
 from .nets import Net
@@ -259,27 +259,25 @@ class Systole(Interval):
 _EPSILON = "1"  # Of the net from which a search starts; any gives the same list.
 
 
-def _found(surface: "Surface", threads: int, progress: Progress, what: str, find: Callable[[Any], "_epsnet.Geodesics"]) -> ClosedGeodesics:
+def _found(surface: "Surface", progress: Progress, find: Callable[[Any], tuple["_epsnet.Geodesics", "_epsnet.Certificate"]]) -> ClosedGeodesics:
     with Shower(progress) as callback:
-        core = find(callback)
-    return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, surface, checked(core, progress, threads, subject=what))
+        core, certificate = find(callback)
+    return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, surface, Certificate(certificate))
 
 
 def systole(surface: "Surface", threads: int, progress: Progress) -> Systole:
     threads = as_threads(threads)
-    return Systole(_found(surface, threads, progress, "systole", lambda callback: _epsnet.Geodesics.systole(surface._core, _EPSILON, threads, callback)))
+    return Systole(_found(surface, progress, lambda callback: _epsnet.Geodesics.systole(surface._core, _EPSILON, threads, callback)))
 
 
 def spectrum(surface: "Surface", up_to: Number, threads: int, progress: Progress) -> ClosedGeodesics:
     text = length_text(up_to, "up_to")
     threads = as_threads(threads)
-    return _found(surface, threads, progress, "spectrum", lambda callback: _epsnet.Geodesics.spectrum(surface._core, text, _EPSILON, threads, callback))
+    return _found(surface, progress, lambda callback: _epsnet.Geodesics.spectrum(surface._core, text, _EPSILON, threads, callback))
 
 
 def thick_thin(surface: "Surface", threads: int, progress: Progress) -> ThickThin:
     threads = as_threads(threads)
-    found = _found(
-        surface, threads, progress, "thick-thin decomposition", lambda callback: _epsnet.Geodesics.thick_thin(surface._core, _EPSILON, threads, callback)
-    )
+    found = _found(surface, progress, lambda callback: _epsnet.Geodesics.thick_thin(surface._core, _EPSILON, threads, callback))
     assert isinstance(found, ThickThin)
     return found

@@ -33,7 +33,6 @@ __all__ = ["Collar", "DistanceTable", "Lifts", "Location", "Net", "Page"]
 
 _COLOURS = ("none", "circumradius", "chart", "distance")
 _FORMATS = ("gmsh", "vtu", "off", "edges", "json", "triangulation")
-_MOST_VERTICES_WITH_DISTANCES = 100_000  # A page would take seconds more beyond; the program has the same limit.
 
 
 class Collar(NamedTuple):
@@ -216,7 +215,7 @@ class Net(Document):
         check, shower = as_flag(check, "check"), Shower(progress)
         name, core = read(path)
         if not isinstance(core, _epsnet.Net):
-            raise FormatError(f"{name}: format: expected a net file, not {type(core).__name__}")
+            raise FormatError(f"expected a net file, not {type(core).__name__}", file=name, place="format")
         return cls(core, None, certified(core, name, shower) if check else None)
 
     def save(self, path: Path) -> None:
@@ -457,8 +456,7 @@ class Net(Document):
         """A page to travel in the surface, with the verdict of the net: in a notebook, or ``.save("view.html")``."""
         heading = as_string(title, "title") or repr(self)
         height = as_index(height, "height", 50, 20000)
-        distances = self.certificate.verified and len(self) <= _MOST_VERTICES_WITH_DISTANCES
-        return Page(self._core.page(heading, self.certificate._core, self._layers(show), distances), height)
+        return Page(self._core.page(heading, self.certificate._core, self._layers(show)), height)
 
     def export(self, format: str, path: Optional[Path] = None, *, distance_from: Optional[int] = None) -> Optional[bytes]:
         """The net in another format, for programs that compute with meshes (docs/exchange-formats.md); written to the path, or returned.

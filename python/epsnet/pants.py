@@ -10,7 +10,7 @@ from ._annotations import Surface
 from ._arguments import as_flag, as_fraction, as_index, as_indices, as_items, as_threads
 from ._documents import Document
 from ._progress import Progress, Shower
-from .certificates import Certificate, required
+from .certificates import Certificate
 from .errors import ArgumentError
 from .intervals import Interval
 from .nets import Net
@@ -163,7 +163,7 @@ def pants(surface: "Surface", curves: Optional[Sequence[Any]], find: bool, threa
     find, threads = as_flag(find, "find"), as_threads(threads)
     with Shower(progress) as callback:
         core, found, own = _epsnet.PantsDecomposition.find(surface._core, words, find, threads, callback)
-    return PantsDecomposition(core, surface, required(Certificate(found), "pants"), own)
+    return PantsDecomposition(core, surface, Certificate(found), own)
 
 
 def as_power(power: Any) -> int:

@@ -453,7 +453,7 @@ class Surface(Immutable):
     ) -> Net:
         """An ε-net, proved: every point of the surface is within ε of a vertex, and different vertices are at least ε apart.
 
-        Never returns a net that is not verified: raises NetError instead. Takes about 0.54 · 16(g − 1)/ε² vertices. Ctrl-C interrupts it;
+        Never returns a net that is not verified: raises NotVerifiedError instead. Takes about 0.54 · 16(g − 1)/ε² vertices. Ctrl-C interrupts it;
         ``progress`` may be False, or a function of what is being done and the share done.
 
         ``base``: start from this point. ``points``: these are vertices, exactly, the first ones after ``base``; each is strictly inside its

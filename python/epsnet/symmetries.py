@@ -9,7 +9,7 @@ from ._annotations import Surface
 from ._arguments import Path, as_index, as_threads, refuse
 from ._documents import Document
 from ._progress import Progress, Shower
-from .certificates import Certificate, required
+from .certificates import Certificate
 from .errors import UndecidedError
 from .isometries import Isometry
 from .nets import Net
@@ -108,7 +108,7 @@ class IsometryGroup(Sequence[SurfaceIsometry]):
         """
         with Shower(False) as callback:
             core, found = self._core.proof(self.surface._core, self._threads, callback)
-        return IsometryProof(core, self.surface, required(Certificate(found), "isometries"))
+        return IsometryProof(core, self.surface, Certificate(found))
 
     @property
     def certificate(self) -> Certificate:

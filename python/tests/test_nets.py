@@ -139,25 +139,34 @@ def test_a_false_net_is_not_handed_out(tmp_path, net):
 
 
 @pytest.mark.parametrize(
-    "text, place",
+    "text, place, expected",
     [
-        ("{", "net"),
-        ('{"format": "epsnet-net"}', None),
-        ('{"format": "epsnet-net", "version": 2}', "net"),
-        ("[]", "document"),
-        ('{"format": "epsnet-surface", "version": 1, "surface": {"kind": "tiles", "tiles": [], "gluing": [[0, 0, "x", 0]]}}', "surface.gluing[0]"),
-        ("\xff\xfe", None),
-        ("", None),
+        ("{", "net", "the name of a member"),
+        ('{"format": "epsnet-net"}', "net", None),
+        ('{"format": "epsnet-net", "version": 2}', "net", "1"),
+        ("[]", "document", "an object"),
+        (
+            '{"format": "epsnet-surface", "version": 1, "surface": {"kind": "tiles", "tiles": [], "gluing": [[0, 0, "x", 0]]}}',
+            "surface.gluing[0]", "an index: an integer >= 0 without sign, fraction or exponent",
+        ),
+        (
+            '{"format": "epsnet-surface", "version": 1, "surface": {"kind": "tiles", "tiles": [], "gluing": [[0, 0, 1, 0]]}}',
+            "surface.tiles", "at least one",
+        ),
+        ("yes", "1", None),
+        ("\xff\xfe", None, None),
+        ("", None, None),
     ],
 )
-def test_nonsense_is_named_with_its_file(tmp_path, text, place):
+def test_nonsense_is_named_with_its_file(tmp_path, text, place, expected):
     path = tmp_path / "no net.json"
     path.write_text(text, encoding="latin-1")
     with pytest.raises(epsnet.FormatError) as caught:
         epsnet.load(path)
     assert caught.value.file == str(path) and caught.value.reason
-    if place:
-        assert caught.value.place == place
+    assert (caught.value.place, caught.value.expected) == (place, expected) or place is None
+    assert expected is None or caught.value.reason.endswith(f", expected {expected}")
+    assert str(caught.value).endswith(caught.value.reason)
 
 
 def test_files_that_are_not_there(tmp_path, net):

@@ -60,7 +60,7 @@ struct AtPoint {
 };
 
 AtPoint at_point(const Surface& surface, const BasePoint& p) {
-  const certify::Certificate certificate = certify::check(eccentricity_net(surface, p), {.threads = 1});
+  const certify::Certificate certificate = certify::check(unproved::eccentricity_net(surface, p), {.threads = 1});
   EXPECT_EQ(certify::verdict_line(certificate), "VERIFIED");
   const Interval loop = *certificate.enclosures->shortest_loop;
   return {certificate.enclosures->largest_circumradius, {loop.lower / 2, loop.upper / 2}};
@@ -98,7 +98,7 @@ double bavard(std::uint32_t genus) { return std::acosh(1 / (2 * std::sin(std::nu
 
 TEST(Diameter, OfARegularSurfaceIsFromTheCentreToTheCorner) {
   for (const std::uint32_t genus : {2u, 3u, 5u}) {
-    const BoundDocument document = diameter(Surface::regular(genus));
+    const BoundDocument document = unproved::diameter(Surface::regular(genus));
     EXPECT_EQ(document.claim, BoundDocument::Claim::diameter);
     EXPECT_EQ(verdict(document), "VERIFIED") << genus;
     EXPECT_LT(document.value.lower, regular_diameter(genus));
@@ -118,23 +118,23 @@ TEST(Diameter, GoesFromOneSideOfAShortCurveToTheOther) {
                                                {1, Rational(1, 10'000), 2},
                                                {1, small, 2},
                                                {small, small, small}}) {
-    const BoundDocument document = diameter(two_handles(lengths), {.width = 1e-4});
+    const BoundDocument document = unproved::diameter(two_handles(lengths), {.width = 1e-4});
     EXPECT_EQ(verdict(document), "VERIFIED") << lengths[1];
     EXPECT_LE(document.value.upper - document.value.lower, 1e-4);
     // The collar of a geodesic of length l reaches arsinh(1/sinh(l/2)) to both sides.
     EXPECT_GT(document.value.lower, 2 * std::asinh(1 / std::sinh(static_cast<double>(lengths[1]) / 2)));
-    EXPECT_LE(largest_embedded_disk(two_handles(lengths), {.width = 1e-2}).value.upper, bavard(2) + 1e-2);
+    EXPECT_LE(unproved::largest_embedded_disk(two_handles(lengths), {.width = 1e-2}).value.upper, bavard(2) + 1e-2);
   }
 }
 
 TEST(Radius, IsBetweenHalfOfTheDiameterAndEveryEccentricity) {
   for (const Surface& surface :
        {test::gallery()[0].surface, test::gallery()[1].surface, two_handles({1, Rational(1, 100'000'000), 2})}) {
-    const BoundDocument document = radius(surface, {.width = 0.05});
+    const BoundDocument document = unproved::radius(surface, {.width = 0.05});
     EXPECT_EQ(document.claim, BoundDocument::Claim::radius);
     EXPECT_EQ(verdict(document), "VERIFIED");
     EXPECT_LE(document.value.upper - document.value.lower, 0.05);
-    EXPECT_GE(document.value.upper, diameter(surface, {.width = 0.05}).value.lower / 2);
+    EXPECT_GE(document.value.upper, unproved::diameter(surface, {.width = 0.05}).value.lower / 2);
     const certify::Certificate net = certify::check(document.net);
     EXPECT_NEAR(net.enclosures->largest_circumradius.upper, document.value.upper, 1e-12);
     for (const TileId tile : surface.tile_ids()) {
@@ -144,7 +144,7 @@ TEST(Radius, IsBetweenHalfOfTheDiameterAndEveryEccentricity) {
 }
 
 TEST(Radius, HasATieAtTheCentreOfARegularSurface) {
-  const BoundDocument document = radius(Surface::regular(2), {.width = 0.1});
+  const BoundDocument document = unproved::radius(Surface::regular(2), {.width = 0.1});
   EXPECT_EQ(verdict(document), "VERIFIED");
   // The least of the eccentricities of many points is 1.94031.
   EXPECT_LT(document.value.lower, 1.9404);
@@ -154,7 +154,7 @@ TEST(Radius, HasATieAtTheCentreOfARegularSurface) {
 TEST(Radius, IsNotLostForCellsThatWouldOnlyImproveThePlaceOfItsNet) {
   // With enough cells for the width, and not for the better place that is sought first.
   const Surface bolza = Surface::regular(2);
-  const BoundDocument document = radius(bolza, {.width = 0.05, .most_cells = 5000});
+  const BoundDocument document = unproved::radius(bolza, {.width = 0.05, .most_cells = 5000});
   EXPECT_EQ(verdict(document), "VERIFIED");
   EXPECT_LE(document.value.upper - document.value.lower, 0.05);
 }
@@ -162,7 +162,7 @@ TEST(Radius, IsNotLostForCellsThatWouldOnlyImproveThePlaceOfItsNet) {
 TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Surface& surface = test::gallery()[i].surface;
-    const BoundDocument document = diameter(surface, {.width = 1e-3});
+    const BoundDocument document = unproved::diameter(surface, {.width = 1e-3});
     EXPECT_EQ(verdict(document), "VERIFIED");
     const certify::Certificate net = certify::check(document.net);
     EXPECT_GE(net.enclosures->largest_circumradius.upper, document.value.lower);
@@ -173,8 +173,8 @@ TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
 
 TEST(Bound, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
   const Surface& surface = test::gallery()[0].surface;
-  for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
-    const bool is_slow = make == &radius;
+  for (const auto make : {&unproved::diameter, &unproved::radius, &unproved::largest_embedded_disk}) {
+    const bool is_slow = make == &unproved::radius;
     const BoundDocument close = make(surface, {.width = is_slow ? 0.1 : 1e-5});
     for (const double width :
          {is_slow ? 0.05 : 1e-3, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, std::numeric_limits<double>::infinity()}) {
@@ -193,8 +193,8 @@ TEST(Bound, IsTheSameFileForAnyNumberOfThreads) {
     return out.str();
   };
   for (const std::size_t i : {0u, 6u}) {
-    for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
-      const double width = make == &radius ? 0.1 : 1e-4;
+    for (const auto make : {&unproved::diameter, &unproved::radius, &unproved::largest_embedded_disk}) {
+      const double width = make == &unproved::radius ? 0.1 : 1e-4;
       const std::string alone = text(make(test::gallery()[i].surface, {.width = width, .threads = 1}));
       for (const unsigned threads : {2u, 5u}) {
         EXPECT_EQ(text(make(test::gallery()[i].surface, {.width = width, .threads = threads})), alone) << threads;
@@ -207,7 +207,8 @@ TEST(Bound, IsTheSameFileForAnyNumberOfThreads) {
 TEST(Bound, TheLimitOfCellsIsTheSameForAnyNumberOfThreads) {
   const auto message = [](std::uint64_t most_cells, unsigned threads) -> std::string {
     try {
-      (void)diameter(test::gallery()[0].surface, {.width = 1e-6, .most_cells = most_cells, .threads = threads});
+      (void)unproved::diameter(test::gallery()[0].surface,
+                               {.width = 1e-6, .most_cells = most_cells, .threads = threads});
     } catch (const NetError& error) {
       return error.what();
     }
@@ -221,8 +222,8 @@ TEST(Bound, TheLimitOfCellsIsTheSameForAnyNumberOfThreads) {
 
 TEST(Bound, IsThatOfTheSurfaceWhateverItsTiles) {
   const Surface& surface = test::gallery()[0].surface;
-  for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
-    const double width = make == &radius ? 0.1 : 1e-5;
+  for (const auto make : {&unproved::diameter, &unproved::radius, &unproved::largest_embedded_disk}) {
+    const double width = make == &unproved::radius ? 0.1 : 1e-5;
     const BoundDocument document = make(surface, {.width = width});
     for (const Surface& other : {turned(surface), in_three_tiles(surface)}) {
       const BoundDocument same = make(other, {.width = width});
@@ -235,9 +236,9 @@ TEST(Bound, IsThatOfTheSurfaceWhateverItsTiles) {
 TEST(Bound, IsVerifiedForThinSurfacesAndForGenus3To5) {
   for (const std::size_t i : {3u, 4u, 5u, 6u, 7u, 8u}) {
     const test::NamedSurface& named = test::gallery()[i];
-    const BoundDocument wide = diameter(named.surface, {.width = 0.2});
+    const BoundDocument wide = unproved::diameter(named.surface, {.width = 0.2});
     EXPECT_EQ(verdict(wide), "VERIFIED") << named.name;
-    const BoundDocument disk = largest_embedded_disk(named.surface, {.width = 0.05});
+    const BoundDocument disk = unproved::largest_embedded_disk(named.surface, {.width = 0.05});
     EXPECT_EQ(verdict(disk), "VERIFIED") << named.name;
     // The radius of an embedded disk is at most the diameter of the surface.
     EXPECT_LE(disk.value.lower, wide.value.upper);
@@ -249,7 +250,7 @@ TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
   std::vector<Surface> surfaces{Surface::regular(2), Surface::regular(3)};
   for (const std::size_t i : {0u, 1u, 2u, 3u, 6u}) surfaces.push_back(test::gallery()[i].surface);
   for (const Surface& surface : surfaces) {
-    const BoundDocument document = largest_embedded_disk(surface, {.width = 1e-3});
+    const BoundDocument document = unproved::largest_embedded_disk(surface, {.width = 1e-3});
     EXPECT_EQ(document.claim, BoundDocument::Claim::embedded_disk);
     EXPECT_EQ(verdict(document), "VERIFIED");
     EXPECT_LE(document.value.upper - document.value.lower, 1e-3);
@@ -265,11 +266,11 @@ TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
 
 TEST(Bound, AWidthBelowTheLeastIsRefusedAndTooFewCellsAreAnErrorWithBounds) {
   const Surface bolza = Surface::regular(2);
-  for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
+  for (const auto make : {&unproved::diameter, &unproved::radius, &unproved::largest_embedded_disk}) {
     for (const double width : {0.0, -1.0, 9e-13, std::nan("")}) {
       EXPECT_THROW((void)make(bolza, {.width = width}), std::invalid_argument) << width;
     }
-    if (make != &radius) {
+    if (make != &unproved::radius) {
       EXPECT_NO_THROW((void)make(bolza, {.width = kLeastBoundWidth}));
     }
     try {
@@ -299,10 +300,10 @@ TEST(Eccentricity, OfTheCentreOfARegularSurfaceIsTheDistanceToItsCorner) {
 
 TEST(Eccentricity, IsOfAnyPointOfTheSurface) {
   const Surface bolza = Surface::regular(2);
-  EXPECT_THROW((void)eccentricity_net(bolza, {TileId(1), {0, 0}}), SurfaceError);
-  EXPECT_THROW((void)eccentricity_net(bolza, {TileId(0), {1, 0}}), SurfaceError);
+  EXPECT_THROW((void)unproved::eccentricity_net(bolza, {TileId(1), {0, 0}}), SurfaceError);
+  EXPECT_THROW((void)unproved::eccentricity_net(bolza, {TileId(0), {1, 0}}), SurfaceError);
   // Beyond a side of the octagon.
-  EXPECT_EQ(certify::check(eccentricity_net(bolza, {TileId(0), {Rational(9, 10), 0}})).verdict,
+  EXPECT_EQ(certify::check(unproved::eccentricity_net(bolza, {TileId(0), {Rational(9, 10), 0}})).verdict,
             certify::Verdict::verified);
 }
 
@@ -318,7 +319,8 @@ const std::vector<Bounded>& bounded_octagons() {
     std::vector<Bounded> result;
     for (std::int32_t seed = 1; seed <= 12; ++seed) {
       const Surface surface = random_octagon(seed);
-      result.push_back({surface, diameter(surface, {.width = 0.02}), largest_embedded_disk(surface, {.width = 0.02})});
+      result.push_back({surface, unproved::diameter(surface, {.width = 0.02}),
+                        unproved::largest_embedded_disk(surface, {.width = 0.02})});
       EXPECT_EQ(verdict(result.back().diameter), "VERIFIED") << seed;
       EXPECT_EQ(verdict(result.back().disk), "VERIFIED") << seed;
     }
@@ -344,7 +346,7 @@ RC_GTEST_PROP(BoundProperty, EccentricityIsAtLeastEveryDistanceAndLipschitz, ())
   const BasePoint q = any_place(surface);
   const AtPoint there = at_point(surface, p);
   const AtPoint here = at_point(surface, q);
-  const Interval between = distance(surface, p, q).distance;
+  const Interval between = unproved::distance(surface, p, q).distance;
   RC_ASSERT(between.lower <= there.eccentricity.upper);
   RC_ASSERT(between.lower <= here.eccentricity.upper);
   RC_ASSERT(there.eccentricity.lower <= (here.eccentricity.upper + between.upper) * (1 + 1e-15));

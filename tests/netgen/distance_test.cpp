@@ -57,7 +57,7 @@ BasePoint any_place(const Surface& surface) {
 }
 
 Interval distance_of(const Surface& surface, const BasePoint& p, const BasePoint& q) {
-  return distance(surface, p, q).distance;
+  return unproved::distance(surface, p, q).distance;
 }
 
 /// Returns the length of a path, computed independently.
@@ -96,7 +96,7 @@ double least_by_words(const Surface& surface, const BasePoint& p, const BasePoin
 TEST(Distance, OfPointsNearEachOtherIsThatOfTheDisk) {
   const Surface bolza = Surface::regular(2);
   const DistanceDocument document =
-      distance(bolza, {TileId(0), {0, 0}}, {TileId(0), {Rational(3, 10), Rational(1, 10)}});
+      unproved::distance(bolza, {TileId(0), {0, 0}}, {TileId(0), {Rational(3, 10), Rational(1, 10)}});
   EXPECT_EQ(verdict(document), "VERIFIED");
   EXPECT_EQ(document.paths, std::vector<std::vector<std::uint32_t>>{{}});
   const double expected = 2 * std::atanh(std::sqrt(0.1));
@@ -107,7 +107,7 @@ TEST(Distance, OfPointsNearEachOtherIsThatOfTheDisk) {
 TEST(Distance, ToItselfIsZero) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     const BasePoint p = centre_of_tile(named.surface, TileId(0));
-    const DistanceDocument document = distance(named.surface, p, p);
+    const DistanceDocument document = unproved::distance(named.surface, p, p);
     EXPECT_EQ(document.distance, (Interval{0, 0})) << named.name;
     EXPECT_EQ(document.paths, std::vector<std::vector<std::uint32_t>>{{}}) << named.name;
     EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
@@ -118,7 +118,7 @@ TEST(Distance, OfPointsCloserThanBinary64CanSay) {
   const Surface bolza = Surface::regular(2);
   Rational tiny(1);
   for (int i = 0; i < 400; ++i) tiny /= 10;
-  const DistanceDocument document = distance(bolza, {TileId(0), {0, 0}}, {TileId(0), {tiny, 0}});
+  const DistanceDocument document = unproved::distance(bolza, {TileId(0), {0, 0}}, {TileId(0), {tiny, 0}});
   EXPECT_EQ(document.distance.lower, 0);
   EXPECT_LT(document.distance.upper, 1e-60);
   EXPECT_EQ(verdict(document), "VERIFIED");
@@ -136,20 +136,20 @@ TEST(Distance, AllShortestPathsAreFound) {
   const BasePoint centre{TileId(0), {0, 0}};
   for (const Complex<Rational>& corner : tile) {
     const BasePoint end{TileId(0), corner};
-    const DistanceDocument document = distance(surface, centre, end);
+    const DistanceDocument document = unproved::distance(surface, centre, end);
     EXPECT_EQ(document.paths.size(), 4U);
     EXPECT_TRUE(document.equal);
     EXPECT_EQ(verdict(document), "VERIFIED");
     EXPECT_NEAR(document.distance.lower, 2 * std::atanh(5.0 / 6), 1e-14);
     // And back, from a vertex that is no point inside of a tile.
-    const DistanceDocument back = distance(surface, end, centre);
+    const DistanceDocument back = unproved::distance(surface, end, centre);
     EXPECT_EQ(back.paths.size(), 4U);
     EXPECT_TRUE(back.equal);
     EXPECT_EQ(verdict(back), "VERIFIED");
     EXPECT_EQ(back.distance, document.distance);
   }
   // All corners are one point.
-  const DistanceDocument same = distance(surface, {TileId(0), tile[0]}, {TileId(0), tile[1]});
+  const DistanceDocument same = unproved::distance(surface, {TileId(0), tile[0]}, {TileId(0), tile[1]});
   EXPECT_EQ(same.distance, (Interval{0, 0}));
   EXPECT_EQ(verdict(same), "VERIFIED");
 }
@@ -186,7 +186,7 @@ TEST(Distance, OfPointsOnSidesAndCornersOfTiles) {
     const BasePoint corner{TileId(0), tile[1]};
     const BasePoint inside = centre_of_tile(surface, TileId(0));
     for (const auto& [p, q] : {std::pair(on_side, corner), std::pair(corner, on_side), std::pair(on_side, inside)}) {
-      const DistanceDocument document = distance(surface, p, q);
+      const DistanceDocument document = unproved::distance(surface, p, q);
       EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
       EXPECT_LT(document.distance.upper - document.distance.lower, 1e-12) << named.name;
       EXPECT_NEAR(length_of_path(surface, p, q, word_of_letters(document.paths[0])), document.distance.lower, 1e-12)
@@ -197,7 +197,7 @@ TEST(Distance, OfPointsOnSidesAndCornersOfTiles) {
     const BasePoint beyond{surface.tile_of_side(surface.partner(side)), surface.crossing(side)(on_side.z)};
     EXPECT_TRUE(is_same_point(surface, on_side, beyond)) << named.name;
     EXPECT_FALSE(is_same_point(surface, on_side, corner)) << named.name;
-    const DistanceDocument same = distance(surface, on_side, beyond);
+    const DistanceDocument same = unproved::distance(surface, on_side, beyond);
     EXPECT_EQ(same.distance, (Interval{0, 0})) << named.name;
     EXPECT_EQ(verdict(same), "VERIFIED") << named.name;
   }
@@ -232,9 +232,9 @@ TEST(Distance, OfAPointOutsideOfItsTileIsThatOfThePointInTheTileWhereItLies) {
     const BasePoint back = in_its_tile(surface, outside);
     EXPECT_EQ(back.tile, q.tile) << named.name;
     EXPECT_EQ(back.z, q.z) << named.name;
-    const DistanceDocument expected = distance(surface, p, q);
+    const DistanceDocument expected = unproved::distance(surface, p, q);
     for (const auto& [from, to] : {std::pair(p, outside), std::pair(outside, p)}) {
-      const DistanceDocument document = distance(surface, from, to);
+      const DistanceDocument document = unproved::distance(surface, from, to);
       EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
       EXPECT_NEAR(document.distance.lower, expected.distance.lower, 1e-12) << named.name;
     }
@@ -250,7 +250,7 @@ TEST(Distance, AcrossAThinCuffAndAlongIt) {
     for (const TileId tile : surface.tile_ids()) places.push_back(centre_of_tile(surface, tile));
     for (const BasePoint& p : places) {
       for (const BasePoint& q : places) {
-        const DistanceDocument document = distance(surface, p, q);
+        const DistanceDocument document = unproved::distance(surface, p, q);
         EXPECT_EQ(verdict(document), "VERIFIED") << cuff;
         EXPECT_LT(document.distance.upper - document.distance.lower, 1e-12);
       }
@@ -263,7 +263,7 @@ TEST(Distance, ErrorsSayWhichPointAndWhy) {
   const BasePoint centre{TileId(0), {0, 0}};
   const auto complaint = [&](const BasePoint& point, const DistanceOptions& options = {}) -> std::string {
     try {
-      (void)distance(bolza, centre, point, options);
+      (void)unproved::distance(bolza, centre, point, options);
     } catch (const Error& error) {
       return error.what();
     }
@@ -301,7 +301,7 @@ TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
                                               {Rational(1, 4), Rational(-3, 5)}};
   for (const Complex<Rational>& p : places) {
     for (const Complex<Rational>& q : places) {
-      const DistanceDocument document = distance(bolza, {TileId(0), p}, {TileId(0), q});
+      const DistanceDocument document = unproved::distance(bolza, {TileId(0), p}, {TileId(0), q});
       EXPECT_EQ(verdict(document), "VERIFIED");
       EXPECT_NEAR(document.distance.lower, least_by_words(bolza, {TileId(0), p}, {TileId(0), q}, 4), 1e-12);
       const auto turned = [](const Complex<Rational>& z) { return Complex<Rational>{Rational(-z.y), z.x}; };
@@ -315,8 +315,8 @@ TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
 /// The picture is drawn in the triangulation of the file itself, and in another net of the surface.
 TEST(Distance, APictureShowsThePathsInFullLength) {
   const Surface& surface = test::gallery()[1].surface;
-  const DistanceDocument document = distance(surface, {TileId(0), {Rational(1, 10), Rational(-1, 3)}},
-                                             {TileId(0), {Rational(-2, 5), Rational(1, 5)}});
+  const DistanceDocument document = unproved::distance(surface, {TileId(0), {Rational(1, 10), Rational(-1, 3)}},
+                                                       {TileId(0), {Rational(-2, 5), Rational(1, 5)}});
   for (const certify::NetDocument& net : {document.net, compute_net(surface, Length("0.5")).net}) {
     const Layer layer = distance_layer(net, document);
     double length = 0;
@@ -347,7 +347,7 @@ RC_GTEST_PROP(DistanceProperty, IsVerifiedAndThePathsHaveItsLength, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   const BasePoint p = any_place(surface);
   const BasePoint q = any_place(surface);
-  const DistanceDocument document = distance(surface, p, q);
+  const DistanceDocument document = unproved::distance(surface, p, q);
   RC_ASSERT(verdict(document) == "VERIFIED");
   RC_ASSERT(document.distance.upper - document.distance.lower <= 1e-12);
   for (const std::vector<std::uint32_t>& letters : document.paths) {
@@ -360,8 +360,8 @@ RC_GTEST_PROP(DistanceProperty, IsSymmetric, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   const BasePoint p = any_place(surface);
   const BasePoint q = any_place(surface);
-  const DistanceDocument there = distance(surface, p, q);
-  const DistanceDocument back = distance(surface, q, p);
+  const DistanceDocument there = unproved::distance(surface, p, q);
+  const DistanceDocument back = unproved::distance(surface, q, p);
   RC_ASSERT(there.distance == back.distance);
   RC_ASSERT(there.paths.size() == back.paths.size());
   for (const std::vector<std::uint32_t>& letters : back.paths) {
@@ -446,7 +446,7 @@ RC_GTEST_PROP(PrintedProperty, ContainsTheDistanceAndTheCircumradius, ()) {
   const Surface surface = random_octagon(any_index(1000));
   const BasePoint p = any_place(surface);
   const BasePoint q = any_place(surface);
-  const DistanceDocument document = distance(surface, p, q);
+  const DistanceDocument document = unproved::distance(surface, p, q);
   const certify::Certificate certificate = certify::check(document, {.threads = 1});
   RC_ASSERT(certificate.verdict == certify::Verdict::verified);
   Complex<Mp1024> z = convert<Mp1024>(p.z);
@@ -462,7 +462,7 @@ RC_GTEST_PROP(PrintedProperty, ContainsTheDistanceAndTheCircumradius, ()) {
 
 RC_GTEST_PROP(PrintedProperty, ContainsEpsilon, ()) {
   static const certify::NetDocument net =
-      distance(random_octagon(1), {TileId(0), {0, 0}}, {TileId(0), {Rational(1, 10), Rational(0)}}).net;
+      unproved::distance(random_octagon(1), {TileId(0), {0, 0}}, {TileId(0), {Rational(1, 10), Rational(0)}}).net;
   certify::NetDocument document = net;
   document.epsilon = *rc::gen::element(std::string("1"), std::string("2"), std::string("37")) + "." +
                      std::to_string(*rc::gen::inRange<std::uint64_t>(1'000'000'000'000'000, 9'999'999'999'999'999));

@@ -482,7 +482,7 @@ struct EverythingShown {
     options.legend = true;
     options.layers = collar_layers(geometry);
     options.layers.push_back(tile_layer(geometry));
-    for (Layer& layer : geodesics_layers(geometry, thick_thin(surface))) options.layers.push_back(layer);
+    for (Layer& layer : geodesics_layers(geometry, unproved::thick_thin(surface))) options.layers.push_back(layer);
   }
   certify::NetDocument net;
   DrawOptions options;

@@ -418,7 +418,7 @@ void expect_true(const EigenvaluesDocument& document, const Known& known, double
 
 TEST(Eigenvalues, OfSeveralDigitsAreVerified) {
   for (const int digits : {1, 2, 3}) {
-    const EigenvaluesDocument document = eigenvalues(octagon().surface, {.count = 2, .digits = digits});
+    const EigenvaluesDocument document = unproved::eigenvalues(octagon().surface, {.count = 2, .digits = digits});
     EXPECT_EQ(count_of(document), 2U);
     EXPECT_EQ(document.eigenfunctions.empty(), digits < 3);
     expect_true(document, octagon(), std::pow(10.0, -digits));
@@ -426,10 +426,10 @@ TEST(Eigenvalues, OfSeveralDigitsAreVerified) {
 }
 
 TEST(SlowEigenvalues, OfNineDigitsAreVerified) {
-  const EigenvaluesDocument octagons = eigenvalues(octagon().surface, {.count = 8});
+  const EigenvaluesDocument octagons = unproved::eigenvalues(octagon().surface, {.count = 8});
   EXPECT_EQ(octagons.eigenfunctions.size(), 8U);
   expect_true(octagons, octagon(), 1e-8);
-  const EigenvaluesDocument bolzas = eigenvalues(bolza().surface, {.count = 9});
+  const EigenvaluesDocument bolzas = unproved::eigenvalues(bolza().surface, {.count = 9});
   ASSERT_EQ(bolzas.eigenvalues.size(), 3U);
   EXPECT_EQ(bolzas.eigenfunctions.size(), 3U);
   expect_true(bolzas, bolza(), 1e-7);
@@ -438,7 +438,7 @@ TEST(SlowEigenvalues, OfNineDigitsAreVerified) {
 TEST(SlowEigenvalues, OfAllNumbersOfDigitsAreVerified) {
   for (const int digits : {4, 5, 6, 7, 8, 10}) {
     // Rounding leaves eight.
-    expect_true(eigenvalues(octagon().surface, {.count = 1, .digits = digits}), octagon(),
+    expect_true(unproved::eigenvalues(octagon().surface, {.count = 1, .digits = digits}), octagon(),
                 std::pow(10.0, 1 - std::min(digits, 8)));
   }
 }
@@ -447,7 +447,7 @@ TEST(SlowEigenvalues, OfAllNumbersOfDigitsAreVerified) {
 TEST(SlowEigenvalues, OfAMultiplicityAreInARow) {
   for (const Known& known : {bolza(), klein()}) {
     for (const std::uint32_t count : {1U, known.eigenvalues[0].second, known.eigenvalues[0].second + 1}) {
-      const EigenvaluesDocument document = eigenvalues(known.surface, {.count = count, .digits = 2});
+      const EigenvaluesDocument document = unproved::eigenvalues(known.surface, {.count = count, .digits = 2});
       expect_true(document, known, 0.011);
       const std::size_t rows = count <= known.eigenvalues[0].second ? 1 : 2;
       ASSERT_EQ(document.eigenvalues.size(), rows) << known.name << ' ' << count;
@@ -461,7 +461,7 @@ TEST(Eigenvalues, BelowANumberAreCounted) {
   const std::vector<double> expected = octagon().all();
   const double between = (expected[0] + expected[1]) / 2;
   for (const double below : {0.25, between, 5.0}) {
-    const EigenvaluesDocument document = eigenvalues(octagon().surface, {.below = below});
+    const EigenvaluesDocument document = unproved::eigenvalues(octagon().surface, {.below = below});
     EXPECT_TRUE(is_verified(document)) << below;
     const auto count =
         static_cast<std::uint32_t>(std::lower_bound(expected.begin(), expected.end(), below) - expected.begin());
@@ -477,7 +477,7 @@ TEST(Eigenvalues, BelowANumberAreCounted) {
 TEST(SlowEigenvalues, BelowANumberAreEnclosedIfDigitsAreAskedFor) {
   for (const int digits : {1, 2, 3}) {
     for (const double below : {0.25, 3.9}) {
-      const EigenvaluesDocument document = eigenvalues(octagon().surface, {.below = below, .digits = digits});
+      const EigenvaluesDocument document = unproved::eigenvalues(octagon().surface, {.below = below, .digits = digits});
       const std::uint32_t count = below < 1 ? 0 : 2;
       EXPECT_EQ(eigenvalues_below(document, below).least, count);
       EXPECT_EQ(eigenvalues_below(document, below).most, count);
@@ -490,16 +490,16 @@ TEST(SlowEigenvalues, BelowANumberAreEnclosedIfDigitsAreAskedFor) {
 /// Those of the base are among those of a cover.
 TEST(Eigenvalues, OfCoversAreVerified) {
   const Surface three = cover_of(octagon().surface, 3);
-  EXPECT_TRUE(is_verified(eigenvalues(three, {.count = 3, .digits = 1})));
+  EXPECT_TRUE(is_verified(unproved::eigenvalues(three, {.count = 3, .digits = 1})));
   const Surface many = cover_of(octagon().surface, 9);
-  const EigenvaluesDocument document = eigenvalues(many, {.below = 0.25});
+  const EigenvaluesDocument document = unproved::eigenvalues(many, {.below = 0.25});
   EXPECT_EQ(many.genus(), 10U);
   EXPECT_TRUE(is_verified(document));
   EXPECT_EQ(count_of(document), 1U) << "λ_1 is in [0.2406096930, 0.2406096946]";
 }
 
 TEST(SlowEigenvalues, OfACoverAreAmongThemToNineDigits) {
-  const EigenvaluesDocument document = eigenvalues(cover_of(octagon().surface, 2), {.count = 3});
+  const EigenvaluesDocument document = unproved::eigenvalues(cover_of(octagon().surface, 2), {.count = 3});
   EXPECT_TRUE(is_verified(document));
   // From closed geodesics.
   const std::vector<double> expected{0.9214217442, 2.0345041551, 2.7750679832};
@@ -514,21 +514,21 @@ TEST(SlowEigenvalues, OfACoverAreAmongThemToNineDigits) {
 TEST(Eigenvalues, OfFenchelNielsenSurfacesAreVerified) {
   // From closed geodesics.
   const Known three{"genus 3", of_genus(3), {{0.2343192302, 1}, {0.9907381674, 1}, {1.2072329512, 1}}};
-  expect_true(eigenvalues(three.surface, {.count = 3, .digits = 1}), three, 0.1);
+  expect_true(unproved::eigenvalues(three.surface, {.count = 3, .digits = 1}), three, 0.1);
   const Known four{"genus 4", of_genus(4), {{0.0845512837, 1}, {0.6721740812, 1}}};
-  expect_true(eigenvalues(four.surface, {.below = 0.25}), four, 10);
-  expect_true(eigenvalues(four.surface, {.count = 1, .digits = 1}), four, 0.1);
+  expect_true(unproved::eigenvalues(four.surface, {.below = 0.25}), four, 10);
+  expect_true(unproved::eigenvalues(four.surface, {.count = 1, .digits = 1}), four, 0.1);
 }
 
 /// λ_1 is about ℓ/π².
 TEST(Eigenvalues, NearZeroAreCounted) {
-  const EigenvaluesDocument document = eigenvalues(with_cuff("0.001"), {.below = 0.25});
+  const EigenvaluesDocument document = unproved::eigenvalues(with_cuff("0.001"), {.below = 0.25});
   EXPECT_TRUE(is_verified(document));
   EXPECT_EQ(count_of(document), 1U);
 }
 
 TEST(Eigenvalues, NearZeroAreEnclosed) {
-  const EigenvaluesDocument document = eigenvalues(with_cuff("0.1"), {.count = 1, .digits = 2});
+  const EigenvaluesDocument document = unproved::eigenvalues(with_cuff("0.1"), {.count = 1, .digits = 2});
   EXPECT_TRUE(is_verified(document));
   ASSERT_EQ(document.eigenvalues.size(), 1U);
   EXPECT_GT(document.eigenvalues[0].in.lower, 0.1 / (std::numbers::pi * std::numbers::pi));
@@ -543,15 +543,15 @@ TEST(Eigenvalues, AreTheSameForAnyNumberOfThreadsAndEachTime) {
     one.threads = 1;
     EigenvaluesOptions two = options;
     two.threads = 2;
-    const EigenvaluesDocument document = eigenvalues(octagon().surface, one);
-    EXPECT_EQ(document, eigenvalues(octagon().surface, two));
-    EXPECT_EQ(document, eigenvalues(octagon().surface, one));
+    const EigenvaluesDocument document = unproved::eigenvalues(octagon().surface, one);
+    EXPECT_EQ(document, unproved::eigenvalues(octagon().surface, two));
+    EXPECT_EQ(document, unproved::eigenvalues(octagon().surface, one));
   }
 }
 
 TEST(Eigenvalues, AreCountedOnTheNetThatIsAskedFor) {
   const EigenvaluesDocument document =
-      eigenvalues(octagon().surface, {.count = 1, .digits = 2, .epsilon = Length("0.45")});
+      unproved::eigenvalues(octagon().surface, {.count = 1, .digits = 2, .epsilon = Length("0.45")});
   EXPECT_EQ(document.net.epsilon, "0.45");
   expect_true(document, octagon(), 0.01);
 }
@@ -560,7 +560,7 @@ TEST(Eigenvalues, AreCountedOnTheNetThatIsAskedFor) {
 TEST(Eigenvalues, AreNotMuchNarrowerThanIsAskedFor) {
   for (const int digits : {1, 2}) {
     for (const Surface& surface : {octagon().surface, of_genus(3), cover_of(octagon().surface, 9)}) {
-      const EigenvaluesDocument document = eigenvalues(surface, {.count = 1, .digits = digits});
+      const EigenvaluesDocument document = unproved::eigenvalues(surface, {.count = 1, .digits = digits});
       ASSERT_EQ(document.eigenvalues.size(), 1U);
       const certify::Interval in = document.eigenvalues[0].in;
       const double width = (in.upper - in.lower) / in.lower;
@@ -575,7 +575,7 @@ TEST(Eigenvalues, AreNotMuchNarrowerThanIsAskedFor) {
 /// Where the intervals of functions of different eigenvalues are not disjoint, matrices enclose these together.
 TEST(Eigenvalues, FunctionsThatAreNotToldApartAreLeftOut) {
   const EigenvaluesDocument document =
-      eigenvalues(random_octagon(3), {.count = 4, .digits = 6, .epsilon = Length("1")});
+      unproved::eigenvalues(random_octagon(3), {.count = 4, .digits = 6, .epsilon = Length("1")});
   EXPECT_EQ(certify::check(document).verdict, certify::Verdict::verified);
   EXPECT_EQ(count_of(document), 4U);
   EXPECT_EQ(document.eigenfunctions.size(), 2U);
@@ -585,7 +585,7 @@ TEST(Eigenvalues, FunctionsThatAreNotToldApartAreLeftOut) {
 TEST(SlowEigenvalues, OfLargeTrianglesAreVerified) {
   for (const char* epsilon : {"1.5", "3"}) {
     const EigenvaluesDocument document =
-        eigenvalues(octagon().surface, {.count = 1, .digits = 2, .epsilon = Length(epsilon)});
+        unproved::eigenvalues(octagon().surface, {.count = 1, .digits = 2, .epsilon = Length(epsilon)});
     EXPECT_GE(document.halvings, 3U);
     expect_true(document, octagon(), 0.01);
   }
@@ -593,7 +593,7 @@ TEST(SlowEigenvalues, OfLargeTrianglesAreVerified) {
 
 /// Functions around the vertices count within less than 2, by the format.
 TEST(Eigenvalues, NetsTooCoarseForFunctionsAreErrors) {
-  EXPECT_THAT([] { (void)eigenvalues(octagon().surface, {.count = 1, .epsilon = Length("1.2")}); },
+  EXPECT_THAT([] { (void)unproved::eigenvalues(octagon().surface, {.count = 1, .epsilon = Length("1.2")}); },
               ThrowsMessage<NetError>(HasSubstr("epsilon is more than 1, which is too much for more than 2 digits")));
 }
 
@@ -635,7 +635,7 @@ TEST(Eigenvalues, OneOfSixteenIsFoundWithAllOthers) {
 
 /// Which one is the last of so many that are equal does not matter.
 TEST(Eigenvalues, OneOfEightIsFoundWithAllOthers) {
-  const EigenvaluesDocument document = eigenvalues(klein().surface, {.count = 1, .digits = 1});
+  const EigenvaluesDocument document = unproved::eigenvalues(klein().surface, {.count = 1, .digits = 1});
   ASSERT_EQ(document.eigenvalues.size(), 1U);
   EXPECT_EQ(document.eigenvalues[0].count, 8U);
   expect_true(document, klein(), 0.11);
@@ -643,7 +643,7 @@ TEST(Eigenvalues, OneOfEightIsFoundWithAllOthers) {
 
 TEST(Eigenvalues, OptionsOutOfRangeAreRefused) {
   const auto refused = [](EigenvaluesOptions options, const char* text) {
-    EXPECT_THAT([&] { (void)eigenvalues(octagon().surface, options); },
+    EXPECT_THAT([&] { (void)unproved::eigenvalues(octagon().surface, options); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
   };
   refused({.count = 0}, "count is not from 1 to 1000");
@@ -656,7 +656,7 @@ TEST(Eigenvalues, OptionsOutOfRangeAreRefused) {
 }
 
 TEST(Eigenvalues, ImpossibleNetsAreErrors) {
-  EXPECT_THROW((void)eigenvalues(octagon().surface, {.epsilon = Length("1e-9")}), Error);
+  EXPECT_THROW((void)unproved::eigenvalues(octagon().surface, {.epsilon = Length("1e-9")}), Error);
 }
 
 struct Cancelled {};
@@ -669,9 +669,9 @@ std::vector<std::pair<std::string, double>> reports_of(EigenvaluesOptions option
     if (what == until) throw Cancelled();
   };
   if (until.empty()) {
-    (void)eigenvalues(octagon().surface, options);
+    (void)unproved::eigenvalues(octagon().surface, options);
   } else {
-    EXPECT_THROW((void)eigenvalues(octagon().surface, options), Cancelled) << until;
+    EXPECT_THROW((void)unproved::eigenvalues(octagon().surface, options), Cancelled) << until;
   }
   return result;
 }

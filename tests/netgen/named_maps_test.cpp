@@ -36,7 +36,7 @@ std::string problem(const DartMap& map) {
 
 /// How many systoles there are, up to orientation, of a length in (low, high); verified.
 std::size_t systoles(const std::string& name, double low, double high) {
-  const certify::GeodesicsDocument list = spectrum(named_surface(name), Length(std::to_string(high)));
+  const certify::GeodesicsDocument list = unproved::spectrum(named_surface(name), Length(std::to_string(high)));
   EXPECT_EQ(certify::check(list).verdict, certify::Verdict::verified);
   EXPECT_GT(list.geodesics.front().length.lower, low);
   return list.geodesics.size();
@@ -145,7 +145,7 @@ TEST(SurfaceOfMap, OfTheDualMapHasTheSameSystole) {
   const Surface dual = surface_of_map(map_of_group(xy, y));
   EXPECT_EQ(*dual.regular_tile(), (RegularTile{3, 7}));
   EXPECT_EQ(numbers(dual), (Numbers{56, 84, 24}));
-  const certify::GeodesicsDocument list = spectrum(dual, Length("3.93595"));
+  const certify::GeodesicsDocument list = unproved::spectrum(dual, Length("3.93595"));
   EXPECT_EQ(certify::check(list).verdict, certify::Verdict::verified);
   EXPECT_EQ(list.geodesics.size(), 21U);
 }

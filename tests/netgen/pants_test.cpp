@@ -61,7 +61,8 @@ std::string problem(const PantsDecomposition& pants, const FenchelNielsen& expec
 /// The lengths of the spectrum up to 4.
 std::vector<double> lengths(const Surface& surface) {
   std::vector<double> result;
-  for (const auto& geodesic : spectrum(surface, Length("4")).geodesics) result.push_back(geodesic.length.lower);
+  for (const auto& geodesic : unproved::spectrum(surface, Length("4")).geodesics)
+    result.push_back(geodesic.length.lower);
   return result;
 }
 

@@ -115,8 +115,8 @@ TEST(PolygonPicture, OfASurfaceIsACentredPolygonOfItsTiles) {
 TEST(PolygonPicture, OfADistanceShowsThePathsFromTheCentreAndBothEnds) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     if (named.surface.genus() > 2) continue;
-    const certify::DistanceDocument document = distance(named.surface, centre_of_tile(named.surface, TileId(0)),
-                                                        {TileId(0), {Rational(1, 10), Rational(1, 20)}});
+    const certify::DistanceDocument document = unproved::distance(
+        named.surface, centre_of_tile(named.surface, TileId(0)), {TileId(0), {Rational(1, 10), Rational(1, 20)}});
     const PolygonPicture picture = picture_of(document);
     ASSERT_EQ(picture.curves.size(), 1U) << named.name;
     ASSERT_EQ(picture.curves[0].segments.size(), document.paths.size()) << named.name;
@@ -137,7 +137,7 @@ TEST(PolygonPicture, OfADistanceShowsThePathsFromTheCentreAndBothEnds) {
 TEST(PolygonPicture, OfClosedGeodesicsHasThemInFullLength) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     if (named.surface.genus() > 3) continue;
-    const certify::GeodesicsDocument document = systole(named.surface);
+    const certify::GeodesicsDocument document = unproved::systole(named.surface);
     const PolygonPicture picture = picture_of(document);
     EXPECT_TRUE(picture.left_out.empty()) << named.name;
     ASSERT_EQ(picture.curves.size(), 1U) << named.name;
@@ -153,7 +153,7 @@ TEST(PolygonPicture, OfClosedGeodesicsHasThemInFullLength) {
 
 TEST(PolygonPicture, OfASpectrumHasACurveForEachCluster) {
   const Surface bolza = Surface::regular(2);
-  const certify::GeodesicsDocument document = spectrum(bolza, Length("5"));
+  const certify::GeodesicsDocument document = unproved::spectrum(bolza, Length("5"));
   const PolygonPicture picture = picture_of(document);
   ASSERT_EQ(picture.curves.size(), document.clusters.size());
   EXPECT_TRUE(picture.left_out.empty());
@@ -169,13 +169,13 @@ TEST(FarthestPoints, AreWhereTheEccentricityIsAttained) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     if (named.surface.genus() > 3) continue;
     const BasePoint p = centre_of_tile(named.surface, TileId(0));
-    const certify::Certificate certificate = certify::check(eccentricity_net(named.surface, p));
+    const certify::Certificate certificate = certify::check(unproved::eccentricity_net(named.surface, p));
     ASSERT_EQ(certificate.verdict, certify::Verdict::verified) << named.name;
     const std::vector<BasePoint> points = farthest_points(named.surface, dirichlet_polygon(named.surface, p));
     ASSERT_FALSE(points.empty()) << named.name;
     for (const BasePoint& q : points) {
       EXPECT_NO_THROW(require_on_surface(named.surface, q)) << named.name;
-      const certify::Interval found = distance(named.surface, p, q).distance;
+      const certify::Interval found = unproved::distance(named.surface, p, q).distance;
       EXPECT_NEAR(found.lower, certificate.enclosures->largest_circumradius.lower, 1e-10) << named.name;
     }
   }
@@ -184,7 +184,7 @@ TEST(FarthestPoints, AreWhereTheEccentricityIsAttained) {
 /// The centre of the regular octagon has one farthest point, the vertex, at the greatest distance of all.
 TEST(FarthestPoints, OfTheCentreOfTheBolzaSurfaceIsItsVertex) {
   const Surface bolza = Surface::regular(2);
-  const certify::BoundDocument document = diameter(bolza, {.width = 1e-3});
+  const certify::BoundDocument document = unproved::diameter(bolza, {.width = 1e-3});
   const PolygonPicture picture = picture_of(document);
   ASSERT_EQ(picture.marks.size(), 2U);
   for (const PolygonPicture::Segment& path : picture.curves.at(0).segments) {
@@ -195,7 +195,7 @@ TEST(FarthestPoints, OfTheCentreOfTheBolzaSurfaceIsItsVertex) {
 }
 
 TEST(PolygonPicture, OfAnEmbeddedDiskShowsTheDiskInTheDomain) {
-  const certify::BoundDocument document = largest_embedded_disk(random_octagon(123), {.width = 1e-2});
+  const certify::BoundDocument document = unproved::largest_embedded_disk(random_octagon(123), {.width = 1e-2});
   const PolygonPicture picture = picture_of(document);
   ASSERT_EQ(picture.disks.size(), 1U);
   EXPECT_EQ(picture.disks[0].radius, document.value.lower);

@@ -37,7 +37,7 @@ TEST(DeepSystoles, Of179Of180OctagonsAreAboveOneHalf) {
   int above_half = 0;
   double least = HUGE_VAL;
   for (std::int32_t seed = 1; seed <= 180; ++seed) {
-    const certify::GeodesicsDocument document = systole(random_octagon(seed));
+    const certify::GeodesicsDocument document = unproved::systole(random_octagon(seed));
     ASSERT_EQ(certify::check(document).verdict, certify::Verdict::verified) << "seed " << seed;
     above_half += document.geodesics[0].length.lower > 0.5 ? 1 : 0;
     least = std::min(least, document.geodesics[0].length.lower);

@@ -61,7 +61,7 @@ TEST(VertexDistances, ContainWhatDistanceProves) {
         const BasePoint q = point_of_vertex(named.surface, net, table.to[column]);
         Interval proved{};
         try {
-          proved = distance(named.surface, p, q).distance;
+          proved = unproved::distance(named.surface, p, q).distance;
         } catch (const SurfaceError&) {
           continue;  // Both are on the boundary of their tiles.
         }

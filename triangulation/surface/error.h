@@ -1,14 +1,14 @@
 #pragma once
 
-#include <stdexcept>
+#include "certify/base/error.h"
 
 namespace epsnet {
 
 /// The base class of the library's exceptions for tasks that cannot be done: invalid input, files that cannot be read
 /// or written, nets that are not found. what() gives the reason, and a program ends with that text.
-class Error : public std::runtime_error {
+class Error : public certify::LocatedError {
  public:
-  using std::runtime_error::runtime_error;
+  using LocatedError::LocatedError;
 };
 
 /// A surface or a triangulation is beyond a limit: too many triangles or labels, a path too long to be evaluated.

@@ -153,7 +153,7 @@ NetDocument net_of(const Members& members) { return certify::parse_file<NetDocum
 struct CheckRequest {
   std::string name = kFile;  ///< Of the file in the certificate.
   bool exact = false;        ///< Ask the second checker about files of any size.
-  bool own = false;          ///< For what was made here.
+  certify::CheckOptions options = {};
 };
 
 certify::program::FileReport check(const std::string& bytes, const CheckRequest& how, const Progress& progress) {
@@ -162,7 +162,7 @@ certify::program::FileReport check(const std::string& bytes, const CheckRequest&
   if (file == nullptr || std::fclose(file) != 0 || !written) throw std::bad_alloc();
   certify::program::Request request;
   request.exact = how.exact;
-  if (how.own) request.options = own_check(1, progress);
+  request.options = how.options;
   request.options.threads = 1;
   request.options.progress = progress;
   certify::program::FileReport report = certify::program::check_file(request, kFile);
@@ -188,7 +188,7 @@ std::string text_of(const certify::program::FileReport& report) {
 /// {"certificate": …, MEMBERS}, with the file and the text of the certificate. Throws NetError unless it is verified.
 Answer proved(const ClaimDocument& document, Json members, const Progress& progress) {
   std::string text = text_of(document);
-  const certify::program::FileReport report = check(text, {.own = true}, progress);
+  const certify::program::FileReport report = check(text, {.options = own_check(document)}, progress);
   if (exit_code(report) != certify::program::kExitVerified) {
     throw NetError("not certified: " + (report.error.empty() ? verdict_line(report, "") : report.error));
   }
@@ -203,13 +203,6 @@ constexpr std::pair<const char*, Colouring> kColourings[] = {{"none", Colouring:
                                                              {"circumradius", Colouring::circumradius},
                                                              {"chart", Colouring::chart},
                                                              {"distance", Colouring::values}};
-
-std::vector<double> distances_of_vertices(const NetDocument& net, std::uint32_t vertex) {
-  const DistanceTable table = distances_from(net, {vertex});
-  std::vector<double> result;
-  for (std::size_t v = 0; v < table.to.size(); ++v) result.push_back(table.distance(0, v));
-  return result;
-}
 
 /// The layers of the files that the member "layers" names: of closed geodesics and distances.
 std::vector<Layer> layers_of(const Members& members, const NetDocument& net) {
@@ -265,7 +258,7 @@ std::string net_picture(const NetDocument& net, const Members& members) {
   for (Layer& layer : collar_layers(net)) options.layers.push_back(std::move(layer));
   for (Layer& layer : layers_of(members, net)) options.layers.push_back(std::move(layer));
   if (options.colouring == Colouring::values) {
-    options.values = distances_of_vertices(net, options.centre);
+    options.values = rounded_distances_from(net, options.centre);
     options.values_name = "distance";
   }
   return draw_svg(net, options);
@@ -355,7 +348,7 @@ Answer make_net(const Members& members, const Progress& progress) {
 
 Answer check_file(const Members& members, const Progress& progress) {
   const certify::program::FileReport report = check(
-      members.file("file"), {members.get<std::string>("name", kFile), members.get<bool>("exact", false)}, progress);
+      members.file("file"), {members.get<std::string>("name", kFile), members.get<bool>("exact", false), {}}, progress);
   return {json_of(report), {text_of(report)}};
 }
 
@@ -363,9 +356,10 @@ Answer find_geodesics(const Members& members, const Progress& progress) {
   GeodesicsOptions options{.threads = 1, .progress = progress};
   const Surface surface = surface_of(members);
   const auto what = members.get<std::string>("do");
-  const certify::GeodesicsDocument found = what == "systole"    ? systole(surface, options)
-                                           : what == "spectrum" ? spectrum(surface, members.length("up_to"), options)
-                                                                : thick_thin(surface, options);
+  const certify::GeodesicsDocument found = what == "systole" ? unproved::systole(surface, options)
+                                           : what == "spectrum"
+                                               ? unproved::spectrum(surface, members.length("up_to"), options)
+                                               : unproved::thick_thin(surface, options);
   Json list = Json::array();
   for (const auto& geodesic : found.geodesics) {
     list.push_back(Json::object(
@@ -380,9 +374,9 @@ Answer find_bound(const Members& members, const Progress& progress) {
   options.width = members.get<double>("width", what == "radius" ? 1e-2 : 1e-6);
   options.progress = progress;
   const Surface surface = surface_of(members);
-  const certify::BoundDocument found = what == "diameter" ? diameter(surface, options)
-                                       : what == "radius" ? radius(surface, options)
-                                                          : largest_embedded_disk(surface, options);
+  const certify::BoundDocument found = what == "diameter" ? unproved::diameter(surface, options)
+                                       : what == "radius" ? unproved::radius(surface, options)
+                                                          : unproved::largest_embedded_disk(surface, options);
   return proved(found, Json::object({{"value", interval_json(found.value)}}), progress);
 }
 
@@ -390,7 +384,7 @@ Answer measure_distance(const Members& members, const Progress& progress) {
   const Surface surface = surface_of(members);
   const BasePoint p = point_of(members, "p", surface);
   const BasePoint q = point_of(members, "q", surface);
-  const certify::DistanceDocument found = distance(surface, p, q);
+  const certify::DistanceDocument found = unproved::distance(surface, p, q);
   return proved(found,
                 Json::object({{"value", interval_json(found.distance)},
                               {"equal", found.equal},
@@ -407,7 +401,7 @@ Answer find_eigenvalues(const Members& members, const Progress& progress) {
   if (members.has("below")) options.below = members.get<double>("below");
   if (members.has("digits")) options.digits = members.get<int>("digits");
   if (members.has("epsilon")) options.epsilon = members.length("epsilon");
-  const certify::EigenvaluesDocument found = eigenvalues(surface_of(members), options);
+  const certify::EigenvaluesDocument found = unproved::eigenvalues(surface_of(members), options);
   Json rows = Json::array();
   std::uint64_t first = 1;
   for (const auto& [in, count] : found.eigenvalues) {
@@ -451,12 +445,9 @@ Shown shown_net(const Members& members, const Progress& progress) {
                         .layers = standard_layers(net)};
   for (Layer& layer : own) options.layers.push_back(std::move(layer));
   for (Layer& layer : layers_of(members, net)) options.layers.push_back(std::move(layer));
-  constexpr std::size_t kMostVerticesWithDistances = 100'000;  // As the program has it.
-  if (options.certificate->verdict == certify::Verdict::verified && net.vertices.size() <= kMostVerticesWithDistances) {
-    try {
-      options.distances = distances_of_vertices(net, 0);
-    } catch (const Error&) {  // The page does without.
-    }
+  try {
+    options.distances = distances_for_page(net, options.certificate);
+  } catch (const Error&) {  // The page does without.
   }
   return {std::move(net), std::move(options)};
 }
