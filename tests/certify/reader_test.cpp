@@ -444,7 +444,7 @@ NetDocument from_file(const std::string& bytes) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
   EXPECT_EQ(std::fwrite(bytes.data(), 1, bytes.size(), file.get()), bytes.size());
   std::rewind(file.get());
-  Pieces pieces(file.get(), bytes.size(), {});
+  ByteStream pieces(file.get(), bytes.size(), {});
   NetDocument document;
   read_document(pieces, &document);
   return document;
@@ -452,7 +452,7 @@ NetDocument from_file(const std::string& bytes) {
 
 TEST(Reader, StructureMayBeLeftToTheCheck) {
   const std::string text = replaced(kSmallNet, "[[0 ,-0.25e-1,0.5\t]]", "[[7 ,-0.25e-1,0.5\t]]");
-  Pieces pieces(text);
+  ByteStream pieces(text);
   NetDocument document;
   read_document(pieces, &document, Structure::unchecked);
   EXPECT_EQ(document.vertices.at(0).chart, 7U);

@@ -1,14 +1,13 @@
-#include "certify/claims/collars/check.h"
+#include "certify/claims/net/collars.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
 
-#include "certify/base/counted.h"
 #include "certify/base/text.h"
 #include "certify/net/darts.h"
-#include "certify/net/gluing_check.h"
 #include "certify/net/surface_check.h"
+#include "certify/net/triangulation_check.h"
 #include "certify/numbers/precision.h"
 
 namespace epsnet::certify {

@@ -1,5 +1,3 @@
-#include "certify/file/pieces.h"
-
 #include <cstdio>
 #include <gtest/gtest.h>
 #include <memory>
@@ -7,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/file/json.h"
 #include "certify/file/reader.h"
 
-namespace epsnet::certify::pieces_test {
+namespace epsnet::certify::byte_stream_test {
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -33,7 +32,7 @@ std::string bytes_of(std::size_t size) {
 
 constexpr std::size_t kPiece = std::size_t{1} << 18U;
 
-TEST(Pieces, GiveTheBytesOfAFileInTheirOrder) {
+TEST(ByteStream, GivesTheBytesOfAFileInTheirOrder) {
   for (const std::size_t size : {std::size_t{1}, kPiece - 1, kPiece, kPiece + 1, 3 * kPiece + 12345}) {
     const std::string bytes = bytes_of(size);
     // How much is asked for, and how much is taken of it.
@@ -42,7 +41,7 @@ TEST(Pieces, GiveTheBytesOfAFileInTheirOrder) {
         if (taken == 1 && size > 1) continue;  // Slow.
         const File file = file_of(bytes);
         std::string seen;
-        Pieces pieces(file.get(), bytes.size(), [&](std::string_view piece) { seen += piece; });
+        ByteStream pieces(file.get(), bytes.size(), [&](std::string_view piece) { seen += piece; });
         std::size_t at = 0;
         while (at < bytes.size()) {
           ASSERT_EQ(pieces.left(), bytes.size() - at);
@@ -61,28 +60,28 @@ TEST(Pieces, GiveTheBytesOfAFileInTheirOrder) {
   }
 }
 
-TEST(Pieces, ReadNoMoreThanTheyAreTold) {
+TEST(ByteStream, ReadNoMoreThanTheyAreTold) {
   const std::string bytes = bytes_of(2 * kPiece);
   const File file = file_of(bytes);
-  Pieces pieces(file.get(), kPiece + 5, {});
+  ByteStream pieces(file.get(), kPiece + 5, {});
   EXPECT_EQ(pieces.ahead(2 * kPiece), std::string_view(bytes).substr(0, kPiece + 5));
   pieces.skip(kPiece);
   EXPECT_EQ(pieces.ahead(100), std::string_view(bytes).substr(kPiece, 5));
 }
 
-TEST(Pieces, AFileThatIsShorterThanItWasIsMalformed) {
+TEST(ByteStream, AFileThatIsShorterThanItWasIsMalformed) {
   for (const std::size_t missing : {1U, 1000U}) {
     const std::string bytes = bytes_of(2 * kPiece);
     const File file = file_of(bytes);
-    Pieces pieces(file.get(), bytes.size() + missing, {});
+    ByteStream pieces(file.get(), bytes.size() + missing, {});
     EXPECT_EQ(pieces.ahead(1).front(), bytes.front());
     EXPECT_THROW(static_cast<void>(pieces.ahead(bytes.size() + 1)), MalformedError);
   }
 }
 
-TEST(Pieces, BytesInMemoryAreOnePiece) {
+TEST(ByteStream, BytesInMemoryAreOnePiece) {
   const std::string bytes = bytes_of(1000);
-  Pieces pieces(bytes);
+  ByteStream pieces(bytes);
   EXPECT_EQ(pieces.ahead(1), bytes);
   EXPECT_EQ(pieces.ahead(5000), bytes);
   pieces.skip(300);
@@ -91,4 +90,4 @@ TEST(Pieces, BytesInMemoryAreOnePiece) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify::pieces_test
+}  // namespace epsnet::certify::byte_stream_test
