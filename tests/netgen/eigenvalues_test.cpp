@@ -16,7 +16,7 @@
 #include "certify/check.h"
 #include "certify/claims/eigenvalues/forms.h"
 #include "certify/claims/eigenvalues/halved_net.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/precision.h"
 #include "netgen/eigenvalues/discrete.h"

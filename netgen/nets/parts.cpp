@@ -1,4 +1,4 @@
-#include "netgen/nets/pieces.h"
+#include "netgen/nets/parts.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,34 +10,33 @@
 
 #include "netgen/nets/pipeline.h"
 #include "netgen/nets/triangle_list.h"
-#include "triangulation/mesh/circumcentre.h"
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/local_insertion.h"
-#include "triangulation/surface/known_labels.h"
+#include "triangulation/mesh/insertion.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-/// The number of new vertices planned for a piece: its memory then fits into the cache of a core.
-constexpr double kVerticesOfPiece = 1 << 15;
-/// The number of pending triangles planned for a piece along the boundaries of earlier ones. Such a piece gets fewer
+/// The number of new vertices planned for a part: its memory then fits into the cache of a core.
+constexpr double kVerticesOfPart = 1 << 15;
+/// The number of pending triangles planned for a part along the boundaries of earlier ones. Such a part gets fewer
 /// vertices; with this number it is much longer than wide, so that little is left at its ends.
-constexpr double kPendingOfPiece = 1 << 12;
-/// The number of steps by which pieces reach beyond their pending triangles.
+constexpr double kPendingOfPart = 1 << 12;
+/// The number of steps by which parts reach beyond their pending triangles.
 constexpr unsigned kMargin = 2;
-/// The second round processes the boundaries of the first round's pieces. A third would find little.
+/// The second round processes the boundaries of the first round's parts. A third would find little.
 constexpr unsigned kRounds = 2;
 
-/// Triangles, each in one piece or none.
+/// Triangles, each in one part or none.
 struct Partition {
   struct Place {
-    std::uint32_t piece = kNone;
-    TriangleId number{0};  ///< Its number in the piece.
+    std::uint32_t part = kNone;
+    TriangleId number{0};  ///< Its number in the part.
   };
   ById<TriangleId, Place> place;
-  std::vector<ById<TriangleId, TriangleId>> members;  ///< By piece: its triangles, by their numbers in the piece.
+  std::vector<ById<TriangleId, TriangleId>> members;  ///< By part: its triangles, by their numbers in the part.
 };
 
 /// Returns which triangles are within `kMargin` steps of the given ones.
@@ -66,25 +65,25 @@ Partition partition(const Mesh& mesh, std::span<const TriangleId> seeds, const B
   Partition result;
   result.place.resize(mesh.triangles.size());
   std::vector<TriangleId> met;
-  const auto meet = [&](TriangleId t, std::uint32_t piece) {
-    if (!zone[t] || result.place[t].piece != kNone) return;
-    result.place[t].piece = piece;
+  const auto meet = [&](TriangleId t, std::uint32_t part) {
+    if (!zone[t] || result.place[t].part != kNone) return;
+    result.place[t].part = part;
     met.push_back(t);
   };
   for (std::uint32_t k = 0; k < seeds.size(); ++k) meet(seeds[k], k);
   for (std::size_t i = 0; i < met.size(); ++i) {
-    for (const Dart d : mesh.triangles[met[i]].opposite) meet(triangle_of(d), result.place[met[i]].piece);
+    for (const Dart d : mesh.triangles[met[i]].opposite) meet(triangle_of(d), result.place[met[i]].part);
   }
   result.members.resize(seeds.size());
   for (const TriangleId t : met) {
-    ById<TriangleId, TriangleId>& members = result.members[result.place[t].piece];
+    ById<TriangleId, TriangleId>& members = result.members[result.place[t].part];
     result.place[t].number = members.end_id();
     members.push_back(t);
   }
   return result;
 }
 
-/// Numbers the vertices of a piece in the order in which they are met: a table with open addressing.
+/// Numbers the vertices of a part in the order in which they are met: a table with open addressing.
 class VertexNumbers {
  public:
   /// Has room for this many vertices.
@@ -114,7 +113,7 @@ class VertexNumbers {
   ById<VertexId, VertexId> met_;
 };
 
-/// The vertices and triangles of the whole triangulation. Their vectors grow at their ends while pieces are refined,
+/// The vertices and triangles of the whole triangulation. Their vectors grow at their ends while parts are refined,
 /// but do not move, as they have enough room.
 class Whole {
  public:
@@ -133,12 +132,12 @@ class Whole {
 
 /// A part of a triangulation with its own numbering: first the triangles and vertices that it had at the beginning,
 /// then the new ones. Darts that lead out of it are kOutside. An object can be reused, which saves allocations.
-class Piece {
+class Part {
  public:
-  /// Copies the triangles of a piece and the darts between them. `list` has its pending triangles, by their numbers in
-  /// the piece.
-  void take(const Whole& whole, const Partition& partition, std::uint32_t piece, std::span<const TriangleId> list) {
-    triangles_ = partition.members[piece];
+  /// Copies the triangles of a part and the darts between them. `list` has its pending triangles, by their numbers in
+  /// the part.
+  void take(const Whole& whole, const Partition& partition, std::uint32_t part, std::span<const TriangleId> list) {
+    triangles_ = partition.members[part];
     pending_.clear();
     flips_ = 0;
     forgotten_ = false;
@@ -151,7 +150,7 @@ class Piece {
       for (VertexId& v : triangle.vertex) v = number(v);
       for (Dart& d : triangle.opposite) {
         const Partition::Place place = partition.place[triangle_of(d)];
-        d = place.piece == piece ? make_dart(place.number, corner_of(d)) : kOutside;
+        d = place.part == part ? make_dart(place.number, corner_of(d)) : kOutside;
       }
       mesh_.triangles.push_back(triangle);
     }
@@ -243,7 +242,7 @@ class Piece {
   /// The triangles still pending, by their numbers in the whole.
   [[nodiscard]] const std::vector<TriangleId>& pending() const { return pending_; }
 
-  /// Writes the piece back. Touches only its own triangles and the new vertices and triangles.
+  /// Writes the part back. Touches only its own triangles and the new vertices and triangles.
   void give_back(const Whole& whole) const {
     if (forgotten_) return;
     for (VertexId v = vertices_.end_id(); v < mesh_.points.end_id(); ++v) {
@@ -290,91 +289,91 @@ class Piece {
   std::uint64_t flips_ = 0;
 };
 
-/// Refines the whole triangulation in rounds of pieces.
-class PieceRefinement {
+/// Refines the whole triangulation in rounds of parts.
+class PartRefinement {
  public:
-  PieceRefinement(Triangulation& triangulation, const Threshold& apart, const Threshold& large,
-                  const PieceOptions& options)
+  PartRefinement(Triangulation& triangulation, const Threshold& apart, const Threshold& large,
+                 const PartOptions& options)
       : triangulation_(triangulation),
         mesh_(Editor(triangulation).mesh()),
         apart_(apart),
         large_(large),
         options_(options) {}
 
-  [[nodiscard]] PieceResult run(std::vector<TriangleId> pending) {
+  [[nodiscard]] PartResult run(std::vector<TriangleId> pending) {
     result_.pending = std::move(pending);
     for (unsigned k = 0; k < kRounds && !result_.pending.empty(); ++k) round();
     return std::move(result_);
   }
 
  private:
-  /// Refines pieces around some of the pending triangles.
+  /// Refines parts around some of the pending triangles.
   void round() {
     const std::vector<TriangleId> seeds = choose_seeds();
     const Partition parts = partition(mesh_, seeds, zone_around(mesh_, result_.pending));
-    // The list of each piece keeps the order of the whole list. Triangles in no piece stay pending.
+    // The list of each part keeps the order of the whole list. Triangles in no part stay pending.
     std::vector<std::vector<TriangleId>> lists(seeds.size());
     std::vector<TriangleId> pending;
     for (const TriangleId t : result_.pending) {
-      const auto [piece, triangle] = parts.place[t];
-      if (piece == kNone) {
+      const auto [part, triangle] = parts.place[t];
+      if (part == kNone) {
         pending.push_back(t);
       } else {
-        lists[piece].push_back(triangle);
+        lists[part].push_back(triangle);
       }
     }
     const int threads = options_.threads == 0 ? threads_here() : static_cast<int>(options_.threads);
     const auto tokens = 3 * static_cast<std::size_t>(threads);
     const std::thread::id caller = std::this_thread::get_id();
     ForEachThread<KnownLabels> labels([this] { return KnownLabels(triangulation_.atlas()); });
-    std::vector<Piece> memory(tokens);
-    SharedQueue<Piece*> idle;
-    for (Piece& piece : memory) {
-      idle.push(&piece);
-      hand_on(&piece);
+    std::vector<Part> memory(tokens);
+    SharedQueue<Part*> idle;
+    for (Part& part : memory) {
+      idle.push(&part);
+      hand_on(&part);
     }
     hand_on(&mesh_);
     const Whole whole(mesh_);
     const auto refine = [&](std::uint32_t k) {
-      Piece* piece = nullptr;
-      (void)idle.try_pop(piece);  // There are as many as there are tokens, so one is idle.
-      receive(piece);
-      piece->take(whole, parts, k, lists[k]);
-      piece->refine(labels.local(), apart_, large_);
-      piece->order();
-      hand_on(piece);
+      Part* part = nullptr;
+      (void)idle.try_pop(part);  // There are as many as there are tokens, so one is idle.
+      receive(part);
+      part->take(whole, parts, k, lists[k]);
+      part->refine(labels.local(), apart_, large_);
+      part->order();
+      hand_on(part);
       if (std::this_thread::get_id() == caller) options_.report(vertices_);
-      return piece;
+      return part;
     };
-    const auto number = [&](Piece* piece) {
-      receive(piece);
+    const auto number = [&](Part* part) {
+      receive(part);
       receive(&mesh_);
-      // Other threads read and write their pieces meanwhile, so the vectors must not move.
-      if (mesh_.points.size() + piece->made_vertices() > mesh_.points.capacity() ||
-          mesh_.charts.size() + piece->made_vertices() > mesh_.charts.capacity() ||
-          mesh_.triangles.size() + piece->made_triangles() > mesh_.triangles.capacity()) {
-        piece->forget();
+      // Other threads read and write their parts meanwhile, so the vectors must not move.
+      if (mesh_.points.size() + part->made_vertices() > mesh_.points.capacity() ||
+          mesh_.charts.size() + part->made_vertices() > mesh_.charts.capacity() ||
+          mesh_.triangles.size() + part->made_triangles() > mesh_.triangles.capacity()) {
+        part->forget();
       }
-      piece->number_from(mesh_.points.size(), mesh_.triangles.size());
-      mesh_.points.resize(mesh_.points.size() + piece->made_vertices());
+      part->number_from(mesh_.points.size(), mesh_.triangles.size());
+      mesh_.points.resize(mesh_.points.size() + part->made_vertices());
       mesh_.charts.resize(mesh_.points.size());
-      mesh_.triangles.resize(mesh_.triangles.size() + piece->made_triangles());
+      mesh_.triangles.resize(mesh_.triangles.size() + part->made_triangles());
       vertices_ = mesh_.points.size();
-      pending.insert(pending.end(), piece->pending().begin(), piece->pending().end());
-      result_.insertions += piece->made_vertices();
-      result_.flips += piece->flips();
+      pending.insert(pending.end(), part->pending().begin(), part->pending().end());
+      result_.insertions += part->made_vertices();
+      result_.flips += part->flips();
       hand_on(&mesh_);
-      hand_on(piece);
-      return piece;
+      hand_on(part);
+      return part;
     };
-    const auto give_back = [&](Piece* piece) {
-      receive(piece);
-      piece->give_back(whole);
-      hand_on(piece);
+    const auto give_back = [&](Part* part) {
+      receive(part);
+      part->give_back(whole);
+      hand_on(part);
       hand_on(&idle);
-      idle.push(piece);
+      idle.push(part);
     };
-    pipeline<Piece*>(static_cast<std::uint32_t>(seeds.size()), tokens, refine, number, give_back);
+    pipeline<Part*>(static_cast<std::uint32_t>(seeds.size()), tokens, refine, number, give_back);
     receive(&mesh_);
     receive(&idle);
     std::erase_if(pending, [&](TriangleId t) { return !mesh_.triangles[t].marked(); });
@@ -385,8 +384,8 @@ class PieceRefinement {
   [[nodiscard]] std::vector<TriangleId> choose_seeds() const {
     const double left = options_.expected_vertices - static_cast<double>(mesh_.points.size());
     const auto count = static_cast<double>(result_.pending.size());
-    const double pieces = std::max({1.0, left / kVerticesOfPiece, count / kPendingOfPiece});
-    const auto stride = static_cast<std::size_t>(std::max(1.0, count / pieces));
+    const double parts = std::max({1.0, left / kVerticesOfPart, count / kPendingOfPart});
+    const auto stride = static_cast<std::size_t>(std::max(1.0, count / parts));
     std::vector<TriangleId> seeds;
     for (std::size_t k = 0; k < result_.pending.size(); k += stride) seeds.push_back(result_.pending[k]);
     return seeds;
@@ -396,17 +395,17 @@ class PieceRefinement {
   Mesh& mesh_;
   const Threshold& apart_;
   const Threshold& large_;
-  const PieceOptions& options_;
+  const PartOptions& options_;
   std::atomic<std::size_t> vertices_ = 0;
-  PieceResult result_;
+  PartResult result_;
 };
 
 }  // namespace
 
-PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<TriangleId> pending, const Threshold& apart,
-                             const Threshold& large, const PieceOptions& options) {
+PartResult refine_in_parts(Triangulation& triangulation, std::vector<TriangleId> pending, const Threshold& apart,
+                           const Threshold& large, const PartOptions& options) {
   assert(std::ranges::all_of(pending, [&](TriangleId t) { return triangulation.triangle(t).marked(); }));
-  PieceRefinement refinement(triangulation, apart, large, options);
+  PartRefinement refinement(triangulation, apart, large, options);
   if (options.threads == 0) return refinement.run(std::move(pending));
   return with_threads(options.threads, [&] { return refinement.run(std::move(pending)); });
 }

@@ -1,3 +1,5 @@
+#include "triangulation/surface/points.h"
+
 #include <algorithm>
 #include <cassert>
 #include <optional>
@@ -7,7 +9,6 @@
 
 #include "kernel/plane.h"
 #include "kernel/predicates.h"
-#include "triangulation/surface/points.h"
 
 namespace epsnet {
 namespace {

@@ -1,12 +1,11 @@
+#include "netgen/pictures/pictures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "kernel/lorentz.h"
-#include "netgen/pictures/legend.h"
-#include "netgen/pictures/palette.h"
-#include "netgen/pictures/pictures.h"
-#include "netgen/pictures/svg_path.h"
+#include "netgen/pictures/svg.h"
 
 namespace epsnet {
 namespace {

@@ -1,3 +1,5 @@
+#include "netgen/pictures/net_pictures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,10 +10,7 @@
 #include "certify/net/darts.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/dirichlet.h"
-#include "netgen/pictures/legend.h"
-#include "netgen/pictures/net_pictures.h"
-#include "netgen/pictures/palette.h"
-#include "netgen/pictures/svg_path.h"
+#include "netgen/pictures/svg.h"
 
 namespace epsnet {
 namespace {

@@ -1,3 +1,5 @@
+#include "netgen/base/options.h"
+
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -6,7 +8,6 @@
 #include <utility>
 
 #include "netgen/base/gmp.h"
-#include "netgen/base/options.h"
 
 namespace epsnet {
 namespace {

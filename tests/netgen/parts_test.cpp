@@ -1,4 +1,4 @@
-#include "netgen/nets/pieces.h"
+#include "netgen/nets/parts.h"
 
 #include <algorithm>
 #include <functional>
@@ -9,22 +9,22 @@
 #include <string>
 #include <vector>
 
+#include "certify/check.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/nets/triangulated_net.h"
+#include "netgen/nets/variants.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/marks.h"
 #include "triangulation/mesh/operations.h"
 
-namespace epsnet::pieces_test {
+namespace epsnet::parts_test {
 namespace {
 
 using test::any_index;
 using test::any_share;
 
-/// A net of a surface for a multiple of ε, in which the triangles too large for ε are marked; pieces start from it.
+/// A net of a surface for a multiple of ε, in which the triangles too large for ε are marked; parts start from it.
 struct CoarseNet {
   CoarseNet(const Surface& surface, double epsilon, double coarser)
       : triangulation(triangulated_net(surface, Length(epsilon * coarser)).triangulation),
@@ -38,9 +38,9 @@ struct CoarseNet {
     }
   }
 
-  /// Unless another number is given, expects as many vertices as give about 33 pieces.
-  [[nodiscard]] PieceResult refine(unsigned threads, double expected = 1 << 20) {
-    return refine_in_pieces(triangulation, pending, apart, large, {expected, threads, report});
+  /// Unless another number is given, expects as many vertices as give about 33 parts.
+  [[nodiscard]] PartResult refine(unsigned threads, double expected = 1 << 20) {
+    return refine_in_parts(triangulation, pending, apart, large, {expected, threads, report});
   }
   void make_room(std::size_t vertices) { triangulation.reserve(vertices); }
 
@@ -70,7 +70,7 @@ void require_apart(Triangulation& triangulation, const Threshold& apart) {
 }
 
 /// Exactly the large triangles are marked and pending.
-void require_that_nothing_large_is_forgotten(CoarseNet& net, const PieceResult& result) {
+void require_that_nothing_large_is_forgotten(CoarseNet& net, const PartResult& result) {
   std::map<TriangleId, bool> pending;
   for (const TriangleId t : result.pending) pending[t] = true;
   for (const TriangleId t : net.triangulation.triangles()) {
@@ -80,11 +80,11 @@ void require_that_nothing_large_is_forgotten(CoarseNet& net, const PieceResult& 
   }
 }
 
-RC_GTEST_PROP(PiecesProperty, LeaveADelaunayTriangulationOfPointsThatAreApart, ()) {
+RC_GTEST_PROP(PartsProperty, LeaveADelaunayTriangulationOfPointsThatAreApart, ()) {
   CoarseNet net(test::any_tiled_surface().surface, 0.1 + 0.1 * any_share(), 2 + 4 * any_share());
   const std::uint32_t before = net.triangulation.vertex_count();
   net.make_room(20'000);
-  const PieceResult result = net.refine(1 + any_index(4U));
+  const PartResult result = net.refine(1 + any_index(4U));
   RC_CLASSIFY(result.insertions > 0, "inserted");
   RC_ASSERT(net.triangulation.vertex_count() == before + result.insertions);
   require_delaunay(net.triangulation);
@@ -92,21 +92,21 @@ RC_GTEST_PROP(PiecesProperty, LeaveADelaunayTriangulationOfPointsThatAreApart, (
   require_that_nothing_large_is_forgotten(net, result);
 }
 
-// Pieces are written back while others are refined, so the arrays may not move: a piece without room is discarded.
-RC_GTEST_PROP(PiecesProperty, LeaveASoundTriangulationWhereThereIsNoRoom, ()) {
+// Parts are written back while others are refined, so the arrays may not move: a part without room is discarded.
+RC_GTEST_PROP(PartsProperty, LeaveASoundTriangulationWhereThereIsNoRoom, ()) {
   CoarseNet net(test::any_tiled_surface().surface, 0.1, 3);
   net.make_room(net.triangulation.vertex_count() + any_index(300U));
-  const PieceResult result = net.refine(1 + any_index(4U));
+  const PartResult result = net.refine(1 + any_index(4U));
   require_delaunay(net.triangulation);
   require_apart(net.triangulation, net.apart);
   require_that_nothing_large_is_forgotten(net, result);
 }
 
 // Only places where labels are not known, or where the next chart begins, are left.
-TEST(Pieces, InsertNearlyAllWhereThereIsOne) {
+TEST(Parts, InsertNearlyAllWhereThereIsOne) {
   CoarseNet net(random_octagon(1), 0.02, 8);
   net.make_room(40'000);
-  const PieceResult result = net.refine(2, 21'000);
+  const PartResult result = net.refine(2, 21'000);
   EXPECT_GT(result.insertions, 20'000U);
   EXPECT_LT(result.pending.size(), 1'000U);
 }
@@ -119,7 +119,7 @@ std::string bytes(const Triangulation& triangulation) {
   return raw(mesh.points) + raw(mesh.charts) + raw(mesh.triangles);
 }
 
-TEST(Pieces, GiveTheSameBytesForAnyNumberOfThreads) {
+TEST(Parts, GiveTheSameBytesForAnyNumberOfThreads) {
   for (const auto& [name, surface] : test::tiled_gallery()) {
     std::string first;
     for (const unsigned threads : {1U, 2U, 8U, 64U}) {
@@ -132,12 +132,13 @@ TEST(Pieces, GiveTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-// The net is large enough to be made in pieces without being asked to.
-TEST(Pieces, MakeNetsThatAreVerified) {
+// The net is large enough to be made in parts without being asked to.
+TEST(Parts, MakeNetsThatAreVerified) {
   const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(20, 7), 7));
-  const CertifiedNet one = certified_net(surface, Length("0.04"), {.threads = 1});
+  const VariantNet one = compute_variant(surface, Length("0.04"), {}, {.threads = 1});
+  EXPECT_EQ(certify::check(one.net).verdict, certify::Verdict::verified);
   EXPECT_GT(one.net.vertices.size(), 100'000U);
-  const UncertifiedNet three = compute_net(surface, Length("0.04"), {.threads = 3});
+  const VariantNet three = compute_variant(surface, Length("0.04"), {}, {.threads = 3});
   EXPECT_EQ(one.statistics.insertions, three.statistics.insertions);
   EXPECT_EQ(one.statistics.flips, three.statistics.flips);
   ASSERT_EQ(one.net.vertices.size(), three.net.vertices.size());
@@ -147,7 +148,7 @@ TEST(Pieces, MakeNetsThatAreVerified) {
   }
 }
 
-TEST(Pieces, MakePseudoNetsThatAreVerified) {
+TEST(Parts, MakePseudoNetsThatAreVerified) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::random(3, 5), 5);
   coordinates.lengths[2] = Rational(1, 1'000'000);
   const CertifiedNet net =
@@ -155,7 +156,7 @@ TEST(Pieces, MakePseudoNetsThatAreVerified) {
   EXPECT_GT(net.net.vertices.size(), 90'000U);
 }
 
-TEST(Pieces, HandOnWhatTheCallerThrows) {
+TEST(Parts, HandOnWhatTheCallerThrows) {
   CoarseNet net(random_octagon(1), 0.05, 8);
   net.make_room(40'000);
   net.report = [](std::size_t) { throw std::runtime_error("interrupted"); };
@@ -163,4 +164,4 @@ TEST(Pieces, HandOnWhatTheCallerThrows) {
 }
 
 }  // namespace
-}  // namespace epsnet::pieces_test
+}  // namespace epsnet::parts_test

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <tuple>
@@ -13,6 +15,33 @@
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
+
+/// A path that turns around a vertex crosses one side after the other of those that end there.
+enum class Turn { counterclockwise, clockwise };
+
+/// The crossing that continues a turn after side s: next to the partner of s in its tile.
+[[nodiscard]] inline SideId next_crossing(const Surface& surface, SideId s, Turn turn) {
+  const SideId partner = surface.partner(s);
+  return turn == Turn::counterclockwise ? surface.next_side(partner) : surface.previous_side(partner);
+}
+
+// How large isometries and their entries are, for bounds of errors (docs/error-bounds.md, E5).
+
+/// The integer e with 2^e ≤ |x| < 2^(e+1); a very small one for 0.
+template <class T>
+[[nodiscard]] double binary_exponent(const T& x) {
+  return x == 0 ? -1e18 : static_cast<double>(mpfr_get_exp(x.backend().data()) - 1);
+}
+
+/// An upper bound of log2 of the operator norm |a| + |b| ≤ 2|a| of a normalised isometry, at most 2.5 too large. No
+/// arithmetic, exponents only.
+template <class T>
+[[nodiscard]] double log2_norm(const Isometry<T>& f) {
+  return 2.5 + std::max(binary_exponent(f.a.x), binary_exponent(f.a.y));
+}
+
+/// ν(f) = |a| + |b|.
+[[nodiscard]] inline double size_of(const Isometry<double>& f) { return std::sqrt(norm(f.a)) + std::sqrt(norm(f.b)); }
 
 /// An isometry that is within 2^−accuracy, relative to its entries.
 template <class T>
