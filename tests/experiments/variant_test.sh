@@ -48,8 +48,8 @@ bad 64 'positive number' s.json --epsilons 0.5,0
 bad 64 'positive number' s.json --epsilons 0.5,nan
 bad 64 'list' s.json --epsilons 0.5 --list E
 bad 64 'insert' s.json --epsilons 0.5 --insert magic
-bad 1 'nothing.json: cannot be read' nothing.json --epsilons 0.5
-bad 1 'net.json' net.json --epsilons 0.5
+bad 1 'nothing.json.*no such file' nothing.json --epsilons 0.5
+bad 1 'net.txt' net.txt --epsilons 0.5
 bad 1 '1e-9 needs more than' s.json --epsilons 1e-9
 
 [ $failures = 0 ] && echo 'all passed'
