@@ -33,7 +33,6 @@
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
-#include "triangulation/mesh/walk.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"

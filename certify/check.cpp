@@ -24,10 +24,6 @@ Problem structure_problem_by(const Document& document, unsigned threads) {
 
 }  // namespace
 
-RuleNames rules_of(const AnyClaim& document) {
-  return with_net_rules(document.net(), document.visit([](const auto& one) { return own_rules(one); }));
-}
-
 std::optional<std::string> malformation(const AnyClaim& document, unsigned threads) {
   const RoundingToNearest rounding;
   return document.visit([&](const auto& one) { return structure_problem_by(one, threads); });

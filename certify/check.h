@@ -13,10 +13,6 @@
 /// claim in certify/claims.
 namespace epsnet::certify {
 
-/// Returns the names of a document's rules in the order of evaluation: those of its net, seven, or nine for a pseudo
-/// net, then its own. A geodesics file needs those that its claim asks for.
-[[nodiscard]] RuleNames rules_of(const AnyClaim& document);
-
 /// Returns what makes the verdict of a document `malformed`, as `check` finds it before it asks any rule; nullopt if
 /// nothing does. O(size of the document), by up to so many threads.
 [[nodiscard]] std::optional<std::string> malformation(const AnyClaim& document, unsigned threads = 1);

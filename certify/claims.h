@@ -5,21 +5,18 @@
 
 #include "certify/claims/bound/check.h"
 #include "certify/claims/bound/fields.h"
-#include "certify/claims/distance/check.h"
 #include "certify/claims/distance/fields.h"
 #include "certify/claims/eigenvalues/check.h"
 #include "certify/claims/eigenvalues/fields.h"
-#include "certify/claims/geodesics/check.h"
 #include "certify/claims/geodesics/fields.h"
 #include "certify/claims/isometries/check.h"
 #include "certify/claims/isometries/fields.h"
 #include "certify/claims/net/fields.h"
-#include "certify/claims/pants/check.h"
 #include "certify/claims/pants/fields.h"
 #include "certify/documents.h"
 #include "certify/net/structure.h"
 
-/// What the folders of all claims say of their files: the fields, the functions of check.h, and the table of claims.
+/// What the folders of all claims say of their files: the fields, the functions of documents, and the table of claims.
 namespace epsnet::certify {
 
 template <class... Documents>

@@ -5,28 +5,17 @@ import csv
 import io
 import json
 import math
-import os
-import subprocess
-import sys
-import tempfile
-import zlib
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from pathlib import Path
 
+import kept
 import plan
-import records
 
 QUANTITIES = ("systole", "disk", "radius", "diameter")
 COLUMNS = ("surface", "verdict", "genus",
            *(f"{quantity}_{end}" for quantity in QUANTITIES for end in ("lower", "upper")),
            "disk_cells", "radius_cells", "diameter_cells", *(f"{quantity}_seconds" for quantity in QUANTITIES), "error")
-HEAD_FORMAT = 1  # Version of the record format; if it changes, finished files are made again.
 NOT_ENCLOSED = (1, 2)  # Exit codes of epsnet if it failed or could not decide; any other code but 0 ends the measurements.
-
-
-class MeasurementError(Exception):
-    """The measurements cannot go on; the text is one line."""
 
 
 def disk_bound(genus: int) -> float:
@@ -48,32 +37,15 @@ def middle(record: dict, quantity: str) -> float:
     return (record[f"{quantity}_lower"] + record[f"{quantity}_upper"]) / 2
 
 
-def measure(programs: Path, output: Path, measurement: plan.Measurement, surfaces: list[Path], threads: int) -> list[dict]:
-    """Returns the records of all surfaces, in their order. Makes those that are not finished yet."""
-    directory = output / "records" / measurement.name
-    directory.mkdir(parents=True, exist_ok=True)
-    version = _run([programs / "epsnet", "--version"])[1].strip()
-    columns = ",".join(COLUMNS)
-    files = [directory / f"{surface.stem}.csv" for surface in surfaces]
-    heads = [_head(version, surface, measurement) for surface in surfaces]
-    jobs = [(surface, file, head) for surface, file, head in zip(surfaces, files, heads)
-            if not records.is_finished(file, head, columns)]
-    print(f"{measurement.name}: {len(surfaces)} surfaces, {len(surfaces) - len(jobs)} finished before", flush=True)
+def measure(store: kept.Store, measurement: plan.Measurement, surfaces: list[Path], threads: int) -> list[dict]:
+    """The records of all surfaces, in their order: a value for each of COLUMNS, or None."""
+    def record(surface: Path) -> dict:
+        found = _record(store.programs, surface, measurement)
+        check_together(found)
+        return found
 
-    def work(surface: Path, file: Path, head: str) -> None:
-        record = _record(programs, surface, measurement)
-        check_together(record)
-        records.write(file, head, columns, [_line(record)])
-
-    pool = ThreadPoolExecutor(threads or os.cpu_count())
-    try:
-        for done, future in enumerate(as_completed([pool.submit(work, *job) for job in jobs]), 1):
-            future.result()
-            if sys.stderr.isatty():
-                print(f"\r{done} of {len(jobs)} surfaces", end="\n" if done == len(jobs) else "", file=sys.stderr, flush=True)
-    finally:
-        pool.shutdown(cancel_futures=True)
-    return [record for file in files for record in records.read(file)]
+    way = [f"{quantity} {' '.join(_command(quantity, measurement))}" for quantity in measurement.quantities]
+    return store.facts(measurement.name, surfaces, way, record, threads)
 
 
 def check_together(record: dict) -> None:
@@ -90,7 +62,7 @@ def check_together(record: dict) -> None:
                        ("radius <= diameter", ends("radius"), ends("diameter")),
                        ("diameter <= 2 radius", ends("diameter"), ends("radius", 2))):
         if a and b and a[0] > b[1] + rounding:
-            raise MeasurementError(f"{record['surface']}: not {name}: {list(a)}, {list(b)}")
+            raise kept.Failure(f"not {name}: {list(a)}, {list(b)}")
 
 
 def whole_table(data: list[dict]) -> str:
@@ -115,43 +87,28 @@ def _line(record: dict) -> str:
     return text.getvalue()
 
 
-def _head(version: str, surface: Path, measurement: plan.Measurement) -> str:
-    return (f"# {version}, distances {HEAD_FORMAT}, surface {surface.stem} {zlib.crc32(surface.read_bytes()):08x}, widths "
-            f"disk {measurement.disk_width}, radius {measurement.radius_width}, diameter {measurement.diameter_width}")
-
-
-def _run(command: list) -> tuple[int, str, str, float]:
-    """Returns the exit code, standard output and error, and the processor seconds."""
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        try:
-            process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=out, stderr=err)
-        except OSError as error:
-            raise MeasurementError(f"{command[0]}: {error.strerror}") from error
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        out.seek(0)
-        err.seek(0)
-        return process.returncode, out.read().decode(), err.read().decode(), round(used.ru_utime + used.ru_stime, 6)
+def _command(quantity: str, measurement: plan.Measurement) -> list[str]:
+    return {"systole": ["systole", "--threads", "1"],
+            "disk": ["embedded-disk", "--width", measurement.disk_width],
+            "radius": ["radius", "--width", measurement.radius_width],
+            "diameter": ["diameter", "--width", measurement.diameter_width]}[quantity]
 
 
 def _record(programs: Path, surface: Path, measurement: plan.Measurement) -> dict:
     """Returns one row. If a command fails, its cells are empty and the column `error` has the reason."""
-    commands = {"systole": ["systole", surface, "--threads", 1],
-                "disk": ["embedded-disk", surface, "--width", measurement.disk_width],
-                "radius": ["radius", surface, "--width", measurement.radius_width],
-                "diameter": ["diameter", surface, "--width", measurement.diameter_width]}
     record: dict = dict.fromkeys(COLUMNS)
     record["surface"] = surface.stem
-    shape, _, _ = _facts(programs, ["info", surface])
+    shape, _, _ = _facts(programs, surface, ["info"])
     record["genus"] = shape["genus"]
     errors = []
-    for quantity, command in commands.items():
-        facts, message, record[f"{quantity}_seconds"] = _facts(programs, command)
+    for quantity in measurement.quantities:
+        command = _command(quantity, measurement)
+        facts, message, record[f"{quantity}_seconds"] = _facts(programs, surface, command)
         if facts is None:
             errors.append(f"{quantity}: {message}")
             continue
         if facts["verdict"] != "VERIFIED":
-            raise MeasurementError(f"{surface}: epsnet {command[0]}: verdict {facts['verdict']}, expected VERIFIED")
+            raise kept.Failure(f"epsnet {command[0]}: verdict {facts['verdict']}, expected VERIFIED")
         if quantity == "systole":
             ends = facts["geodesics"][0]["length"]
         else:
@@ -163,12 +120,12 @@ def _record(programs: Path, surface: Path, measurement: plan.Measurement) -> dic
     return record
 
 
-def _facts(programs: Path, command: list) -> tuple[dict | None, str, float]:
-    """Returns the output of a command with --json, or None and its message; and the processor seconds."""
-    code, out, err, seconds = _run([programs / "epsnet", *command, "--json"])
+def _facts(programs: Path, surface: Path, command: list[str]) -> tuple[dict | None, str, float]:
+    """Returns the output of a command about a surface with --json, or None and its message; and the processor seconds."""
+    code, out, err, seconds = kept.run(programs / "epsnet", command[0], surface, *command[1:], "--json")
     message = " ".join(err.removeprefix("epsnet: ").split())
     if code == 0:
         return json.loads(out), message, seconds
     if code not in NOT_ENCLOSED or command[0] == "info":
-        raise MeasurementError(f"{command[1]}: epsnet {command[0]}: exit code {code}: {message}")
+        raise kept.Failure(f"epsnet {command[0]}: exit code {code}: {message}")
     return None, message, seconds

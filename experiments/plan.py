@@ -6,11 +6,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Sweep:
-    """Nets of all surfaces for all epsilons, made in one way; without epsilons, the systoles of the surfaces. A surface is given
-    by its name and the arguments of `epsnet surface`."""
+    """Nets of all surfaces for all epsilons, made in one way. A surface is given by its name and the arguments of `epsnet surface`."""
     name: str
     surfaces: tuple[tuple[str, tuple[str, ...]], ...]
-    epsilons: tuple[str, ...] = ()
+    epsilons: tuple[str, ...]
     insertion: str = "cavity"
     walk: str = "visibility"
     triangle_list: str = "C"
@@ -39,9 +38,10 @@ class Seeds:
 
 @dataclass(frozen=True)
 class Measurement:
-    """Systoles, largest embedded disks, radii and diameters of all surfaces, enclosed to these widths at most."""
+    """Systoles, largest embedded disks, radii and diameters of all surfaces, or some of these, enclosed to these widths at most."""
     name: str
     surfaces: tuple[tuple[str, tuple[str, ...]], ...]
+    quantities: tuple[str, ...] = ("systole", "disk", "radius", "diameter")
     disk_width: str = "1e-6"
     radius_width: str = "1e-2"
     diameter_width: str = "1e-6"
@@ -76,11 +76,6 @@ def seeded(genus: int | None, seeds: Seeds):
     return of_all[seeds.first - 1:]
 
 
-def net_options(insertion: str, walk: str, triangle_list: str) -> list[str]:
-    """The options of `epsnet net`, where a walk implies flips."""
-    return ["--insert", insertion, "--list", triangle_list, *(["--locate", walk] if insertion == "flips" else [])]
-
-
 def hundredths(largest: int, smallest: int, step: int = 1):
     return tuple(f"{k / 100:.2f}" for k in range(largest, smallest - 1, -step))
 
@@ -101,7 +96,7 @@ def experiments(quick: bool) -> dict[str, list[Sweep | Measurement]]:
                         triangle_list=letter) for insertion in ("flips", "cavity") for letter in "ABCD"],
         "main": [Sweep("main", octagons(few(180)), main, "flips", "visibility", "A"),
                  Sweep("main-cavity", octagons(few(180)), main)],
-        "systoles": [Sweep("systoles", octagons(few(180)))],
+        "systoles": [Measurement("systoles", octagons(few(180)), ("systole",))],
         "distances": [Measurement("distances", octagons(few(180)))],
         "thin": [Sweep("thin", thin(few(20)), epsilons("0.50", "0.45", "0.40", "0.35", "0.30", "0.25", "0.20", "0.10"))],
         "genus-3": [Sweep("genus-3", random_surfaces(3, few(50)), epsilons("0.50", "0.40", "0.30", "0.20", "0.10", "0.05"))],

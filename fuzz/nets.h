@@ -10,6 +10,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/variants.h"
 
 /// Shared by the fuzz targets that make surfaces from bytes, and nets of these surfaces.
 namespace fuzz {
@@ -40,16 +41,19 @@ class Bytes {
 inline void require_net(const epsnet::Surface& surface, double least, Bytes& bytes) {
   const unsigned choice = bytes.byte();
   const double epsilon = least + std::ldexp(static_cast<std::uint16_t>(bytes.integer()), -14);
+  epsnet::Variant variant;
+  variant.insertion = (choice & 1U) != 0 ? epsnet::Insertion::flips : epsnet::Insertion::cavity;
+  variant.walk = (choice & 2U) != 0 ? epsnet::Walk::straight : epsnet::Walk::visibility;
+  variant.list = static_cast<epsnet::TriangleList>((choice >> 3U) & 3U);
   epsnet::NetOptions options;
-  options.insertion = (choice & 1U) != 0 ? epsnet::Insertion::flips : epsnet::Insertion::cavity;
-  options.walk = (choice & 2U) != 0 ? epsnet::Walk::straight : epsnet::Walk::visibility;
   options.pseudo = (choice & 4U) != 0 && epsnet::allows_pseudo_nets(epsnet::Length(epsilon));
-  options.list = static_cast<epsnet::TriangleList>((choice >> 3U) & 3U);
   options.check.threads = 1;
 
-  const epsnet::CertifiedNet result = epsnet::certified_net(surface, epsilon, options);  // An exception is a finding.
-  require(result.certificate.verdict == epsnet::certify::Verdict::verified);
-  require(result.certificate.counts.genus == surface.genus());
+  // An exception is a finding.
+  const epsnet::VariantNet result = epsnet::compute_variant(surface, epsnet::Length(epsilon), variant, options);
+  const epsnet::certify::Certificate certificate = epsnet::certify::check(result.net, options.check);
+  require(certificate.verdict == epsnet::certify::Verdict::verified);
+  require(certificate.counts.genus == surface.genus());
   const double sinh_half = std::sinh(epsilon / 2);
   if (!options.pseudo)
     require(static_cast<double>(result.net.vertices.size()) * sinh_half * sinh_half >= surface.genus() - 1 - 1e-9);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,8 +16,10 @@
 namespace epsnet::certify {
 
 /// Throws Fault with WHAT, or "WHAT INDEX".
-[[noreturn]] void throw_fault(const char* what);
-[[noreturn]] void throw_fault(const char* what, std::size_t index);
+[[noreturn]] inline void throw_fault(const char* what) { throw Fault(what); }
+[[noreturn]] inline void throw_fault(const char* what, std::size_t index) {
+  throw Fault(what + (" " + std::to_string(index)));
+}
 
 /// Throws Fault(what) unless the invariant holds.
 inline void ensure(bool holds, const char* what) {

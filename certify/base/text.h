@@ -46,4 +46,9 @@ inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 /// Shortest decimal that reads back as the same binary64.
 [[nodiscard]] std::string shortest(double value);
 
+/// Returns a number and its noun: "1 tile", "2 tiles".
+[[nodiscard]] inline std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count).append(" ").append(count == 1 ? one : many);
+}
+
 }  // namespace epsnet::certify

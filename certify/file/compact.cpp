@@ -50,7 +50,7 @@ std::uint64_t number(const char* bytes) {
 /// The file from front to back, up to the checksum at its end.
 class Parts {
  public:
-  explicit Parts(Pieces& pieces) : pieces_(pieces) {}
+  explicit Parts(ByteStream& bytes) : bytes_(bytes) {}
 
   /// Says that so many bytes are to come next, behind those that are expected already.
   void expect(std::uint64_t size, const char* place) {
@@ -61,8 +61,8 @@ class Parts {
     expected_ += size;
   }
   std::string_view take(std::size_t size) {
-    const std::string_view part = pieces_.ahead(size).substr(0, size);
-    pieces_.skip(size);
+    const std::string_view part = bytes_.ahead(size).substr(0, size);
+    bytes_.skip(size);
     expected_ -= size;
     sum_.add(part);
     return part;
@@ -71,7 +71,7 @@ class Parts {
   template <std::size_t kWidth, class Use>
   void take_numbers(std::size_t count, const Use& use) {
     while (count > 0) {
-      const std::size_t size = kWidth * std::min(count, pieces_.ahead(kWidth).size() / kWidth);
+      const std::size_t size = kWidth * std::min(count, bytes_.ahead(kWidth).size() / kWidth);
       const std::string_view part = take(size);
       for (std::size_t i = 0; i < size; i += kWidth) use(number<kWidth>(part.data() + i));
       count -= size / kWidth;
@@ -88,15 +88,15 @@ class Parts {
     expect(4, place);
     return static_cast<std::uint32_t>(number<4>(take(4).data()));
   }
-  [[nodiscard]] std::uint64_t left() const { return pieces_.left() - kChecksumBytes; }
+  [[nodiscard]] std::uint64_t left() const { return bytes_.left() - kChecksumBytes; }
   /// Whether the checksum at the end is that of the file. Takes all that is left before it.
   [[nodiscard]] bool is_intact() {
-    while (left() > 0) take(std::min<std::uint64_t>(left(), pieces_.ahead(kChecksumBytes + 1).size() - kChecksumBytes));
-    return sum_.value() == number<kChecksumBytes>(pieces_.ahead(kChecksumBytes).data());
+    while (left() > 0) take(std::min<std::uint64_t>(left(), bytes_.ahead(kChecksumBytes + 1).size() - kChecksumBytes));
+    return sum_.value() == number<kChecksumBytes>(bytes_.ahead(kChecksumBytes).data());
   }
 
  private:
-  Pieces& pieces_;
+  ByteStream& bytes_;
   std::uint64_t expected_ = 0;
   CompactChecksum sum_;
 };
@@ -209,7 +209,7 @@ NetDocument read_parts(Parts& parts, const ReadHead& read_head) {
 
 }  // namespace
 
-NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head) {
+NetDocument parse_compact(ByteStream& bytes, const ReadHead& read_head) {
   if (bytes.left() < kCompactMagic.size() + kChecksumBytes) fail("checksum", "the file ends before it");
   Parts parts(bytes);
   try {

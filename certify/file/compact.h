@@ -3,7 +3,7 @@
 #include <functional>
 #include <string_view>
 
-#include "certify/file/pieces.h"
+#include "certify/file/json.h"
 #include "certify/net/document.h"
 
 /// Compact net files: what a net file says of its surface as JSON, and the vertices and triangles as arrays
@@ -21,7 +21,7 @@ using ReadHead = std::function<NetDocument(std::string_view)>;
 
 /// Reads a compact file. Throws MalformedError without the file's name. Indices may be out of range as in a document of
 /// any other file (structure_problem). O(size); no more memory than the document takes, however the sizes lie.
-[[nodiscard]] NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head);
+[[nodiscard]] NetDocument parse_compact(ByteStream& bytes, const ReadHead& read_head);
 
 /// The checksum at the end of a compact file: XXH64 with the seed 0.
 class CompactChecksum {

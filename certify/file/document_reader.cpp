@@ -52,7 +52,7 @@ constexpr Place kDocument{.member = "document"};
 /// Reads values as their types and fields.h say. What is wrong is said of the place where it is.
 class Reader {
  public:
-  explicit Reader(Pieces& text) : json_(text) {}
+  explicit Reader(ByteStream& text) : json_(text) {}
 
   /// Reads a text that consists of one object.
   template <class Root>
@@ -298,7 +298,7 @@ class Reader {
 };
 
 template <class Root>
-void read_text(Pieces& text, Root& root) {
+void read_text(ByteStream& text, Root& root) {
   if (text.ahead(3).starts_with("\xef\xbb\xbf")) {
     throw MalformedError(
         ErrorParts{.place = "document", .problem = "begins with a byte order mark", .expected = "an object"});
@@ -307,7 +307,7 @@ void read_text(Pieces& text, Root& root) {
 }
 
 NetDocument read_compact_head(std::string_view text) {
-  Pieces head(text);
+  ByteStream head(text);
   NetDocument document;
   try {
     read_text(head, document);
@@ -319,14 +319,14 @@ NetDocument read_compact_head(std::string_view text) {
 }
 
 template <class Document>
-void read_bytes(Pieces& bytes, Document& document) {
+void read_bytes(ByteStream& bytes, Document& document) {
   read_text(bytes, document);
 }
-void read_bytes(Pieces& bytes, SurfaceDocument& document) {
+void read_bytes(ByteStream& bytes, SurfaceDocument& document) {
   SurfaceFile<SurfaceDocument> file{document};
   read_text(bytes, file);
 }
-void read_bytes(Pieces& bytes, NetDocument& document) {
+void read_bytes(ByteStream& bytes, NetDocument& document) {
   if (is_compact(bytes.ahead(kCompactMagic.size()))) {
     document = parse_compact(bytes, read_compact_head);
   } else {
@@ -352,7 +352,7 @@ ErrorParts parts_of(const std::string& problem) {
 
 }  // namespace
 
-void read_document(Pieces& bytes, DocumentPointer document, Structure structure) {
+void read_document(ByteStream& bytes, DocumentPointer document, Structure structure) {
   const auto problem = std::visit(
       [&](auto* one) {
         read_bytes(bytes, *one);
@@ -362,7 +362,7 @@ void read_document(Pieces& bytes, DocumentPointer document, Structure structure)
   if (problem) throw MalformedError(parts_of(*problem));
 }
 
-std::optional<std::string> format_of(Pieces& bytes) {
+std::optional<std::string> format_of(ByteStream& bytes) {
   try {
     Json json(bytes);
     if (!json.take('{')) return std::nullopt;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certify/documents.h"
-#include "certify/file/pieces.h"
+#include "certify/file/json.h"
 #include "certify/file/reader.h"
 
 namespace epsnet::certify {
@@ -15,10 +15,10 @@ using DocumentPointer = Pointers<>::And<SurfaceDocument>;
 /// Reads a file of this kind, a net compact or not, into an empty document. Throws MalformedError without the file's
 /// name. O(size), and no more memory than a multiple of what was read. Requires: the
 /// arithmetic of binary64 is rounded to nearest.
-void read_document(Pieces& bytes, DocumentPointer document, Structure structure = Structure::checked);
+void read_document(ByteStream& bytes, DocumentPointer document, Structure structure = Structure::checked);
 
 /// Returns what the first member `format` of an object says; nullopt if it is no string, or if the text does not begin
 /// as an object that has one. What is passed over need not be JSON.
-[[nodiscard]] std::optional<std::string> format_of(Pieces& bytes);
+[[nodiscard]] std::optional<std::string> format_of(ByteStream& bytes);
 
 }  // namespace epsnet::certify

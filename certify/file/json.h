@@ -1,13 +1,53 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "certify/base/error.h"
-#include "certify/file/pieces.h"
 
 namespace epsnet::certify {
+
+/// The bytes of a file from front to back, of which a part is in memory at a time.
+class ByteStream {
+ public:
+  /// Is shown all bytes of a file in their order.
+  using Witness = std::function<void(std::string_view)>;
+
+  /// Bytes that are all in memory.
+  explicit ByteStream(std::string_view bytes) : here_(bytes) {}
+  /// The next `size` bytes of an open file.
+  ByteStream(std::FILE* file, std::uint64_t size, Witness witness)
+      : file_(file), unread_(size), witness_(std::move(witness)) {}
+  ByteStream(const ByteStream&) = delete;
+  ByteStream& operator=(const ByteStream&) = delete;
+
+  /// What is in memory of the bytes to come: `size` bytes at least, or all that are left. Good until the next call.
+  /// Throws MalformedError if the file is shorter than it was said to be, or cannot be read.
+  [[nodiscard]] std::string_view ahead(std::size_t size) {
+    if (here_.size() < size && unread_ > 0) read(size);
+    return here_;
+  }
+  /// Goes on behind bytes that are in memory.
+  void skip(std::size_t size) { here_.remove_prefix(size); }
+  /// Goes on to the end, and shows the witness what is left.
+  void skip_all() {
+    while (left() > 0) skip(ahead(1).size());
+  }
+  [[nodiscard]] std::uint64_t left() const { return here_.size() + unread_; }
+
+ private:
+  void read(std::size_t size);
+
+  std::FILE* file_ = nullptr;
+  std::uint64_t unread_ = 0;
+  Witness witness_;
+  std::vector<char> buffer_;
+  std::string_view here_;
+};
 
 /// The text is not JSON. what() says what is wrong, not where.
 class JsonError : public LocatedError {
@@ -22,7 +62,7 @@ class JsonError : public LocatedError {
 /// throw JsonError. O(size); memory for the string, number or name that is being read.
 class Json {
  public:
-  explicit Json(Pieces& text) : text_(text) {}
+  explicit Json(ByteStream& text) : text_(text) {}
 
   /// Returns the first character of the next token; 0 at the end of the text.
   [[nodiscard]] char next() { return next_ != end_ && *next_ > ' ' ? *next_ : next_of_any_kind(); }
@@ -103,7 +143,7 @@ class Json {
   void escape();
   [[noreturn]] void fail_to_find(const char* expected);
 
-  Pieces& text_;
+  ByteStream& text_;
   const char* begin_ = nullptr;  ///< What is in memory of the text begins here; it is taken up to next_.
   const char* next_ = nullptr;
   const char* end_ = nullptr;

@@ -32,8 +32,8 @@ class Source {
   Source(std::FILE* file, std::uint64_t size) : size_(size), file_(file) {}
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  [[nodiscard]] Pieces pieces(const Witness& witness = {}) const {
-    if (file_ == nullptr) return Pieces(bytes_);
+  [[nodiscard]] ByteStream open_bytes(const Witness& witness = {}) const {
+    if (file_ == nullptr) return ByteStream(bytes_);
     std::rewind(file_);
     return {file_, size_, witness};
   }
@@ -47,7 +47,7 @@ class Source {
 constexpr const char* kTooLarge = "the file is larger than the limit of 4 GiB";
 
 void read_source(const Source& source, const Witness& witness, Structure structure, DocumentPointer document) {
-  Pieces bytes = source.pieces(witness);
+  ByteStream bytes = source.open_bytes(witness);
   try {
     read_document(bytes, document, structure);
   } catch (const MalformedError&) {
@@ -63,7 +63,7 @@ void choose(std::variant<Documents...>& document, const std::optional<std::strin
 }
 
 void read_source(const Source& source, const Witness& witness, Structure structure, ClaimDocument* document) {
-  Pieces beginning = source.pieces();
+  ByteStream beginning = source.open_bytes();
   choose(*document, format_of(beginning));
   read_source(source, witness, structure, std::visit([](auto& one) -> DocumentPointer { return &one; }, *document));
 }

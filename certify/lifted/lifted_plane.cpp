@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "certify/net/darts.h"
-#include "certify/net/gluing_check.h"
 #include "certify/net/surface_check.h"
+#include "certify/net/triangulation_check.h"
 
 namespace epsnet::certify {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "certify/lifted/lorentz.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 
 /// The lifted triangulation at one precision: each triangle in its chart, and what leads across its darts.
 namespace epsnet::certify {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
@@ -9,11 +11,77 @@
 
 #include "certify/base/binary64.h"
 #include "certify/base/interval.h"
-#include "certify/net/collar_members.h"
 #include "certify/net/document.h"
-#include "certify/net/lanes.h"
 #include "certify/net/lifted_triangle.h"
-#include "certify/net/questions.h"
+#include "certify/net/structure.h"
+
+/// What the rules `orientation`, `delaunay`, `covering`, `packing` and `thick` ask of one triangle.
+namespace epsnet::certify {
+
+/// One bit each: 0 orientation, 1 covering, 2 + i Delaunay and 5 + i length of edge i, asked at the smaller of the two
+/// darts of an edge only.
+using Questions = std::uint8_t;
+inline constexpr Questions kOrientationBit = 1;
+inline constexpr Questions kCoveringBit = 2;
+[[nodiscard]] constexpr Questions delaunay_bit(std::uint32_t edge) { return static_cast<Questions>(4U << edge); }
+inline constexpr Questions kDelaunayBits = delaunay_bit(0) | delaunay_bit(1) | delaunay_bit(2);
+[[nodiscard]] constexpr Questions length_bit(std::uint32_t edge) { return static_cast<Questions>(32U << edge); }
+
+}  // namespace epsnet::certify
+
+/// Numbers of binary64 side by side, for compilers that have vectors (g++, clang), whatever their library has.
+namespace epsnet::certify::filter {
+
+/// The answers to a question about each of the lanes.
+class Mask {
+ public:
+  using Vector [[gnu::vector_size(16)]] = std::int64_t;  // 0 or −1.
+
+  explicit Mask(Vector answers) : answers_(answers) {}
+  [[nodiscard]] bool operator[](std::size_t lane) const { return answers_[lane] != 0; }
+  [[nodiscard]] Vector vector() const { return answers_; }
+
+  friend Mask operator&&(const Mask& a, const Mask& b) { return Mask(a.answers_ & b.answers_); }
+
+ private:
+  Vector answers_;
+};
+
+/// One number in each lane. Operations are those of binary64, lane by lane.
+class Lanes {
+ public:
+  using Vector [[gnu::vector_size(16)]] = double;
+
+  Lanes() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a number among lanes is the same in all of them.
+  Lanes(double number) : numbers_{number, number} {}
+  /// The numbers from this one on.
+  explicit Lanes(const double* first) { std::memcpy(&numbers_, first, sizeof numbers_); }
+
+  [[nodiscard]] static constexpr std::size_t size() { return sizeof(Vector) / sizeof(double); }
+  [[nodiscard]] double operator[](std::size_t lane) const { return numbers_[lane]; }
+
+  friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.numbers_ + b.numbers_); }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.numbers_ - b.numbers_); }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(a.numbers_ * b.numbers_); }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return Lanes(a.numbers_ / b.numbers_); }
+  friend Mask operator<(const Lanes& a, const Lanes& b) { return Mask(Mask::Vector(a.numbers_ < b.numbers_)); }
+  friend Mask operator>(const Lanes& a, const Lanes& b) { return b < a; }
+
+  /// `yes` in the lanes where the mask is true, `no` in the others.
+  friend Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
+    return Lanes(Vector((mask.vector() & Mask::Vector(yes.numbers_)) | (~mask.vector() & Mask::Vector(no.numbers_))));
+  }
+  friend Lanes max(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
+  friend Lanes abs(const Lanes& a) { return max(a, Lanes(-a.numbers_)); }
+
+ private:
+  explicit Lanes(Vector numbers) : numbers_(numbers) {}
+
+  Vector numbers_;
+};
+
+}  // namespace epsnet::certify::filter
 
 namespace epsnet::certify {
 

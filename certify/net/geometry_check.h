@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/verdict/report.h"
 
 namespace epsnet::certify {

@@ -9,7 +9,7 @@
 
 #include "certify/base/lookup.h"
 #include "certify/net/document.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/numbers/ball.h"
 
 namespace epsnet::certify {

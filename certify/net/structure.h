@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "certify/base/interval.h"
@@ -67,5 +70,58 @@ inline constexpr std::uint32_t kMaxRegularSides = 10'000;
 
 /// Whether both ends are finite, not negative, and in order.
 [[nodiscard]] bool is_length(Interval x);
+
+/// Which triangles and vertices the collars of a pseudo net name; nothing in any other net.
+class CollarMembers {
+ public:
+  /// Needs a document without structure problem. O(number of triangles) if there is a collar.
+  explicit CollarMembers(const NetDocument& document) : pseudo_(document.collars.has_value()) {
+    if (!pseudo_ || document.collars->empty()) return;
+    triangles_.resize(document.triangles.size());
+    for (const NetDocument::Collar& collar : *document.collars) {
+      for (const std::uint32_t t : collar.triangles) triangles_[t] = true;
+      partners_[collar.vertices[0]] = collar.vertices[1];
+      partners_[collar.vertices[1]] = collar.vertices[0];
+    }
+  }
+
+  /// Whether the net is a pseudo net.
+  [[nodiscard]] bool pseudo() const { return pseudo_; }
+  [[nodiscard]] bool has_triangle(std::uint32_t t) const { return !triangles_.empty() && triangles_[t]; }
+  [[nodiscard]] bool has_vertex(std::uint32_t v) const { return partners_.contains(v); }
+  /// Whether two vertices are those of one collar.
+  [[nodiscard]] bool are_partners(std::uint32_t u, std::uint32_t v) const {
+    const auto found = partners_.find(u);
+    return found != partners_.end() && found->second == v;
+  }
+
+ private:
+  bool pseudo_;
+  std::vector<bool> triangles_;
+  std::unordered_map<std::uint32_t, std::uint32_t> partners_;
+};
+
+/// The first of `count` ≥ 1 nodes to which no path leads from node 0; nullopt if there is none. neighbours(node, visit)
+/// calls visit(other) for each neighbour. O(count + neighbours).
+///
+/// What is found first is left first, so that nodes stay near in memory whose neighbours are.
+template <class Neighbours>
+[[nodiscard]] std::optional<std::size_t> first_unreached(std::size_t count, const Neighbours& neighbours) {
+  std::vector<bool> reached(count);
+  std::vector<std::uint32_t> found{0};
+  found.reserve(count);
+  reached[0] = true;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    neighbours(found[i], [&](std::uint32_t other) {
+      if (reached[other]) return;
+      reached[other] = true;
+      found.push_back(other);
+    });
+  }
+  for (std::size_t node = 0; node < count; ++node) {
+    if (!reached[node]) return node;
+  }
+  return std::nullopt;
+}
 
 }  // namespace epsnet::certify

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "certify/base/counted.h"
-#include "certify/net/connection.h"
+#include "certify/base/text.h"
+#include "certify/net/structure.h"
 #include "certify/net/surface_sides.h"
 #include "certify/numbers/ball_vector.h"
 #include "certify/numbers/parallel.h"

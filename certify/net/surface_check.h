@@ -1,7 +1,7 @@
 #pragma once
 
-#include "certify/net/crossings.h"
 #include "certify/net/document.h"
+#include "certify/net/labels.h"
 #include "certify/verdict/report.h"
 
 namespace epsnet::certify {

@@ -11,7 +11,7 @@
 
 /// The numbers of regular polygons, exactly: ℤ[ζ, s] with ζ = e^{2πi/n} and s² a positive number of ℤ[ζ].
 ///
-/// Regular tiles have such a ring (certify/net/crossings.h, docs/proof.md, section 9).
+/// Regular tiles have such a ring (certify/net/labels.h, docs/proof.md, section 9).
 namespace epsnet::certify {
 
 struct PolynomialType {

@@ -22,7 +22,7 @@
 #include "certify/file/document_reader.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/program/second_checker.h"
+#include "certify/program/output.h"
 
 namespace epsnet::certify::program {
 namespace {
@@ -146,8 +146,8 @@ std::string without_name(const std::exception& error, const FileReport& report) 
 
 /// Whether the file says that it is one of a surface.
 bool is_named_surface(std::string_view bytes) {
-  Pieces pieces(bytes);
-  return format_of(pieces) == "epsnet-surface";
+  ByteStream stream(bytes);
+  return format_of(stream) == "epsnet-surface";
 }
 
 /// What is said of such a file: that it claims nothing, or what is wrong with it.

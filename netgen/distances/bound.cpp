@@ -17,6 +17,7 @@
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/start.h"
 #include "netgen/prove/certified.h"
+#include "triangulation/mesh/contraction.h"
 #include "triangulation/mesh/operations.h"
 
 namespace epsnet {

@@ -22,7 +22,6 @@
 #include "netgen/lifts/lifts.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/atlas.h"
-#include "triangulation/surface/curve_bound.h"
 
 namespace epsnet {
 namespace {

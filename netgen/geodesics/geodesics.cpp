@@ -19,7 +19,7 @@
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"
-#include "netgen/nets/triangulated_net.h"
+#include "netgen/nets/refine.h"
 
 namespace epsnet {
 namespace {

@@ -12,7 +12,6 @@
 #include "netgen/nets/refine.h"
 #include "netgen/nets/sparse.h"
 #include "netgen/nets/start.h"
-#include "netgen/nets/triangulated_net.h"
 #include "netgen/prove/certified.h"
 
 namespace epsnet {
@@ -24,7 +23,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
+TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, const NetOptions& options,
+                                 const Variant& variant) {
   if (options.pseudo && !allows_pseudo_nets(epsilon)) {
     throw std::invalid_argument("epsilon = " + epsilon.text() +
                                 " is too large for a pseudo net, the limit is ln sqrt(2) = 0.3465...");
@@ -47,13 +47,13 @@ TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, 
   TriangulatedNet net{std::move(start.triangulation), {}, std::nullopt};
   if (options.pseudo) {
     Collars collars(net.triangulation, epsilon);
-    net.statistics = refine(net.triangulation, epsilon, options, &collars);
+    net.statistics = refine(net.triangulation, epsilon, options, variant, &collars);
     net.collars = collars.documents();
     net.statistics.collars = collars.count();
   } else if (options.sparse) {
-    net.statistics = refine_sparsely(net.triangulation, epsilon, options);
+    net.statistics = refine_sparsely(net.triangulation, epsilon, options, variant);
   } else {
-    net.statistics = refine(net.triangulation, epsilon, options);
+    net.statistics = refine(net.triangulation, epsilon, options, variant);
   }
   net.statistics.initial_flips = start.flips;
   net.statistics.removed += start.removed;
@@ -63,13 +63,19 @@ TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, 
   return net;
 }
 
-UncertifiedNet compute_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
-  TriangulatedNet net = triangulated_net(surface, epsilon, options);
-  UncertifiedNet result{net_document(net.triangulation, epsilon), net.statistics};
+VariantNet compute_variant(const Surface& surface, const Length& epsilon, const Variant& variant,
+                           const NetOptions& options) {
+  TriangulatedNet net = triangulated_net(surface, epsilon, options, variant);
+  VariantNet result{net_document(net.triangulation, epsilon), net.statistics};
   result.net.collars = std::move(net.collars);
   result.statistics.charts = result.net.charts.size();
   result.statistics.labels = result.net.labels.size();
   return result;
+}
+
+UncertifiedNet compute_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
+  VariantNet net = compute_variant(surface, epsilon, {}, options);
+  return {std::move(net.net), net.statistics};
 }
 
 CertifiedNet certified_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {

@@ -1,39 +1,18 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
 #include "netgen/base/options.h"
 #include "netgen/prove/certified.h"
-#include "triangulation/mesh/walk.h"
 #include "triangulation/surface/surface.h"
 
-/// ε-nets: how they are computed and proved, their options, and statistics of the computation.
+/// ε-nets: how they are computed and proved, their options, and what is counted meanwhile.
 namespace epsnet {
-
-/// How a circumcentre enters the triangulation. Both give the same Delaunay triangulation for the same point, exact
-/// ties aside.
-enum class Insertion {
-  cavity,  ///< Bowyer–Watson from the large triangle itself; the fast way.
-  flips,   ///< The thesis' way (IV.4.3 to IV.4.5): walk, split, flip. Yields the statistics of the thesis.
-};
-
-/// Which triangles enter the list of the refinement, and in which order (thesis IV.4.7; the variants of Table IV.2). A
-/// triangle is large if its circumradius is more than ε. All variants give ε-nets, but different ones.
-enum class TriangleList {
-  large_back,     ///< Variant C: large triangles alone, first in, first out. The fastest of the four here.
-  all_back,       ///< Variant A, the thesis' choice: all new triangles, first in, first out; measured when taken.
-  all_front,      ///< Variant B: all new triangles, last in, first out.
-  largest_first,  ///< Variant D: large triangles alone, the largest first.
-};
 
 /// Which net is computed, and how.
 struct NetOptions {
@@ -44,18 +23,14 @@ struct NetOptions {
   /// points alone. Requires: each is strictly inside its tile (SurfaceError), and any two are farther than ε from each
   /// other (ClosePointsError). Cannot be combined with `pseudo`, which removes vertices from collars.
   std::vector<BasePoint> points = {};
-  Insertion insertion = Insertion::cavity;
-  Walk walk = Walk::visibility;  ///< How `Insertion::flips` finds the triangle that contains a circumcentre.
-  /// If set, one thread makes the net in this order. Otherwise the order is the fastest one, large_back, and nets of
-  /// 100,000 vertices or more are made in pieces, on all cores.
-  std::optional<TriangleList> list = {};
   /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
   bool pseudo = false;
   /// A net with few points: 1.4 to 1.5 times the lower bound of Theorem III.2 (thick surfaces, ε at most 0.1) instead
   /// of the 2.15 times of the refinement alone, at about eight times the cost. If it has more than 1.5 times the bound,
   /// the ordinary net is taken if that has no more points. Cannot be combined with `pseudo`.
   bool sparse = false;
-  /// Threads with which the net is made; 0: as many as the machine has cores. The net is the same for any number.
+  /// Threads with which the net is made, if it has 100,000 vertices or more; 0: as many as the machine has cores. The
+  /// net is the same for any number.
   unsigned threads = 0;
   certify::CheckOptions check = {};  ///< For the certificate: threads, precision cap, progress.
   Progress progress = {};            ///< While the net grows: "net: N vertices".
@@ -64,16 +39,10 @@ struct NetOptions {
 /// Whether ε ≤ ln √2, decided exactly: the limit for pseudo ε-nets (thesis Lemma III.9).
 [[nodiscard]] bool allows_pseudo_nets(const Length& epsilon);
 
-/// Statistics of a run, in the terms of the thesis (IV.6.2).
+/// What was counted while a net was made.
 struct NetStatistics {
   std::uint64_t insertions = 0;
-  std::uint64_t flips = 0;             ///< Of the insertions. A cavity of k triangles counts as k − 1 flips.
-  std::uint64_t initial_flips = 0;     ///< To make the input's triangulation Delaunay.
-  std::uint64_t removed = 0;           ///< Input vertices removed: closer than ε to others, or not the base.
-  std::uint64_t located = 0;           ///< Walks (`Insertion::flips` only).
-  std::uint64_t located_at_start = 0;  ///< Circumcentres that lie in their own triangle.
-  std::uint64_t walk_steps = 0;        ///< Triangles entered by all walks.
-  std::uint64_t longest_walk = 0;
+  std::uint64_t removed = 0;         ///< Input vertices removed: closer than ε to others, or not the base.
   std::uint64_t multiprecision = 0;  ///< Predicates that binary64 could not decide.
   std::uint64_t collars = 0;         ///< Of a pseudo net.
   std::uint64_t undone = 0;          ///< Insertions taken back because they led to a collar.
@@ -82,41 +51,6 @@ struct NetStatistics {
   double start_seconds = 0;   ///< Initial Delaunay triangulation.
   double refine_seconds = 0;  ///< Refinement.
 };
-
-/// The values of an option with the names that they have on command lines and in records.
-template <class Option, std::size_t N>
-using OptionNames = std::array<std::pair<std::string_view, Option>, N>;
-inline constexpr OptionNames<Insertion, 2> kInsertionNames{
-    {{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}};
-inline constexpr OptionNames<Walk, 2> kWalkNames{{{"visibility", Walk::visibility}, {"straight", Walk::straight}}};
-/// The letters of the thesis' Table IV.2.
-inline constexpr OptionNames<TriangleList, 4> kTriangleListNames{{{"A", TriangleList::all_back},
-                                                                  {"B", TriangleList::all_front},
-                                                                  {"C", TriangleList::large_back},
-                                                                  {"D", TriangleList::largest_first}}};
-
-/// Returns the name of a value.
-template <class Option, std::size_t N>
-[[nodiscard]] constexpr std::string_view name_in(const OptionNames<Option, N>& names, Option value) {
-  for (const auto& [name, option] : names) {
-    if (option == value) return name;
-  }
-  return {};
-}
-/// Returns the value with this name; nullopt if there is none.
-template <class Option, std::size_t N>
-[[nodiscard]] constexpr std::optional<Option> value_in(const OptionNames<Option, N>& names, std::string_view name) {
-  for (const auto& [known, option] : names) {
-    if (known == name) return option;
-  }
-  return std::nullopt;
-}
-/// "cavity" or "flips".
-[[nodiscard]] constexpr std::string_view name(Insertion insertion) { return name_in(kInsertionNames, insertion); }
-/// "visibility" or "straight".
-[[nodiscard]] constexpr std::string_view name(Walk walk) { return name_in(kWalkNames, walk); }
-/// "A" to "D".
-[[nodiscard]] constexpr std::string_view name(TriangleList list) { return name_in(kTriangleListNames, list); }
 
 /// Two given points are not farther than ε from each other.
 class ClosePointsError : public NetError {

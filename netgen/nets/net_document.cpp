@@ -6,7 +6,7 @@
 
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/surface_file.h"
-#include "triangulation/mesh/assembly.h"
+#include "triangulation/mesh/editor.h"
 
 namespace epsnet {
 namespace {

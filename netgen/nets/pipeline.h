@@ -19,7 +19,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-/// The threads of a refinement in pieces: those of oneTBB, or the calling one alone where there are no others
+/// The threads of a refinement in parts: those of oneTBB, or the calling one alone where there are no others
 /// (EPSNET_ONE_THREAD). The only place that knows the difference.
 namespace epsnet {
 

@@ -10,16 +10,13 @@
 #include <type_traits>
 #include <vector>
 
-#include "netgen/nets/pieces.h"
+#include "netgen/nets/parts.h"
 #include "netgen/nets/start.h"
 #include "netgen/nets/triangle_list.h"
-#include "triangulation/mesh/cavity.h"
-#include "triangulation/mesh/circumcentre.h"
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/local_insertion.h"
-#include "triangulation/mesh/marks.h"
+#include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/operations.h"
-#include "triangulation/surface/known_labels.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet {
 namespace {
@@ -33,9 +30,11 @@ using ListOf =
 template <TriangleList kList>
 class Refinement {
  public:
-  Refinement(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, Collars* collars)
+  Refinement(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, const Variant& variant,
+             Collars* collars)
       : triangulation_(triangulation),
         options_(options),
+        variant_(variant),
         collars_(collars),
         large_(epsilon.value()),
         apart_(epsilon.value() / 2),
@@ -44,12 +43,12 @@ class Refinement {
     // An empirical factor (thesis IV.6.2).
     expected_ = 2.17 * least + 1;
     triangulation_.reserve(static_cast<std::size_t>(1.1 * expected_ + 1000));
-    if (!options.list && options.insertion == Insertion::cavity && expected_ >= kLeastInPieces) {
-      pieces_from_ = expected_ / kCoarser;
+    if (!variant.list && variant.insertion == Insertion::cavity && expected_ >= kLeastInParts) {
+      parts_from_ = expected_ / kCoarser;
     }
   }
 
-  [[nodiscard]] NetStatistics run() {
+  [[nodiscard]] RefinementStatistics run() {
     statistics_.removed += reduce_to_packing(triangulation_, apart_);
     if (collars_ != nullptr) {
       statistics_.removed += clear_collars(triangulation_, apart_, *collars_);
@@ -60,8 +59,8 @@ class Refinement {
     initial_triangles_ = triangulation_.triangle_count();
     std::uint64_t count = 0;
     while (list_.size() > 0) {
-      if (triangulation_.vertex_count() >= pieces_from_) {
-        refine_pieces();
+      if (triangulation_.vertex_count() >= parts_from_) {
+        refine_parts();
         continue;
       }
       const TriangleId t = list_.pop();
@@ -95,11 +94,11 @@ class Refinement {
   }
 
  private:
-  /// Nets with fewer vertices are made in the thesis' order. Larger ones are made in pieces once they have the part
+  /// Nets with fewer vertices are made in the thesis' order. Larger ones are made in parts once they have the part
   /// 1/kCoarser of their vertices.
-  static constexpr double kLeastInPieces = 100'000;
+  static constexpr double kLeastInParts = 100'000;
   static constexpr double kCoarser = 64;
-  /// If this share of the vertices is missing after the pieces (because labels were not known yet), pieces are tried
+  /// If this share of the vertices is missing after the parts (because labels were not known yet), parts are tried
   /// again after a quarter of the large triangles has been processed.
   static constexpr double kShareForMore = 0.05;
   static constexpr bool kLargeAlone = kList == TriangleList::large_back || kList == TriangleList::largest_first;
@@ -166,17 +165,17 @@ class Refinement {
     options_.progress(text, std::min(0.99, static_cast<double>(vertices) / expected_));
   }
 
-  /// Continues in pieces, on all cores. The triangles still pending afterwards are on the list.
-  void refine_pieces() {
-    pieces_from_ = std::numeric_limits<double>::infinity();
+  /// Continues in parts, on all cores. The triangles still pending afterwards are on the list.
+  void refine_parts() {
+    parts_from_ = std::numeric_limits<double>::infinity();
     std::vector<TriangleId> pending;
     pending.reserve(list_.size());
     while (list_.size() > 0) {
       const TriangleId t = list_.pop();
       if (triangulation_.triangle(t).marked()) pending.push_back(t);
     }
-    const PieceResult result = refine_in_pieces(triangulation_, std::move(pending), apart_, large_,
-                                                {expected_, options_.threads, [this](std::size_t n) { report(n); }});
+    const PartResult result = refine_in_parts(triangulation_, std::move(pending), apart_, large_,
+                                              {expected_, options_.threads, [this](std::size_t n) { report(n); }});
     statistics_.insertions += result.insertions;
     statistics_.flips += result.flips;
     for (const TriangleId t : result.pending) {
@@ -188,7 +187,7 @@ class Refinement {
     }
     const double vertices = triangulation_.vertex_count();
     if (expected_ - vertices > kShareForMore * expected_) {
-      pieces_from_ = vertices + static_cast<double>(list_.size()) / 4;
+      parts_from_ = vertices + static_cast<double>(list_.size()) / 4;
     }
   }
 
@@ -199,7 +198,7 @@ class Refinement {
     if (centre_in_chart && norm(*centre_in_chart) < 0.95) {
       const LiftedPoint near = in_nearest_chart(triangulation_.mesh(), atlas, t, *centre_in_chart);
       if (norm(near.z) <= kChartRadius * kChartRadius) {
-        if (options_.insertion == Insertion::cavity &&
+        if (variant_.insertion == Insertion::cavity &&
             insert_locally(Editor(triangulation_).mesh(), known_labels_, t, near, apart_, large_, new_triangles_)) {
           enter(new_triangles_);
           statistics_.flips += new_triangles_.count - 3;
@@ -255,7 +254,7 @@ class Refinement {
     const bool in_conflict = in_circle == InCircle::known ||
                              triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
                                                       triangulation_.corner(t, 2), p) > 0;
-    if (in_conflict && options_.insertion == Insertion::cavity) {
+    if (in_conflict && variant_.insertion == Insertion::cavity) {
       const auto is_apart = [&](const Cavity::Edge& e) {
         return triangulation_.compare_distance(e.from, p, apart_) > 0;
       };
@@ -280,7 +279,7 @@ class Refinement {
     // A circumcentre is a few steps away from its triangle; at first perhaps as many as there are triangles (the fan of
     // a regular polygon). It is farther away only if rounding has moved it around a very short curve.
     const std::uint32_t most_steps = 40 + initial_triangles_;
-    const auto inserted = insert_by_flips(triangulation_, t, point, options_.walk, most_steps, &journal);
+    const auto inserted = insert_by_flips(triangulation_, t, point, variant_.walk, most_steps, &journal);
     if (!inserted) {
       return false;
     }
@@ -298,7 +297,7 @@ class Refinement {
       enter(s);
     }
     statistics_.flips += inserted->flips;
-    if (options_.insertion == Insertion::flips) {
+    if (variant_.insertion == Insertion::flips) {
       ++statistics_.located;
       statistics_.located_at_start += inserted->steps == 0 ? 1 : 0;
       statistics_.walk_steps += inserted->steps;
@@ -386,13 +385,14 @@ class Refinement {
 
   Triangulation& triangulation_;
   const NetOptions& options_;
+  const Variant& variant_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  NetStatistics statistics_;
+  RefinementStatistics statistics_;
   Collars* collars_;  ///< Null unless the net is a pseudo net.
   Threshold large_;
   Threshold apart_;
   double expected_;
-  double pieces_from_ = std::numeric_limits<double>::infinity();  ///< Number of vertices from which pieces are used.
+  double parts_from_ = std::numeric_limits<double>::infinity();  ///< Number of vertices from which parts are used.
   std::uint32_t initial_triangles_ = 0;
   ListOf<kList> list_;
   Cavity cavity_;
@@ -414,18 +414,19 @@ double require_possible(const Surface& surface, const Length& epsilon) {
   return least;
 }
 
-NetStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, Collars* collars) {
-  switch (options.list.value_or(TriangleList::large_back)) {
+RefinementStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options,
+                            const Variant& variant, Collars* collars) {
+  switch (variant.list.value_or(TriangleList::large_back)) {
     case TriangleList::all_back:
-      return Refinement<TriangleList::all_back>(triangulation, epsilon, options, collars).run();
+      return Refinement<TriangleList::all_back>(triangulation, epsilon, options, variant, collars).run();
     case TriangleList::all_front:
-      return Refinement<TriangleList::all_front>(triangulation, epsilon, options, collars).run();
+      return Refinement<TriangleList::all_front>(triangulation, epsilon, options, variant, collars).run();
     case TriangleList::largest_first:
-      return Refinement<TriangleList::largest_first>(triangulation, epsilon, options, collars).run();
+      return Refinement<TriangleList::largest_first>(triangulation, epsilon, options, variant, collars).run();
     case TriangleList::large_back:
       break;
   }
-  return Refinement<TriangleList::large_back>(triangulation, epsilon, options, collars).run();
+  return Refinement<TriangleList::large_back>(triangulation, epsilon, options, variant, collars).run();
 }
 
 }  // namespace epsnet

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/collars.h"
+#include "netgen/nets/variants.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
@@ -17,7 +21,18 @@ double require_possible(const Surface& surface, const Length& epsilon);
 /// remaining triangle to have a circumradius of at most ε. With `collars` the result is a pseudo ε-net (Algorithm
 /// III.10): collars of cores no longer than ε are emptied, and the triangles in them are not refined. Throws NetError
 /// if this fails. Returns the statistics, except for `initial_flips`, `collars` and those of the document.
-NetStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options,
-                     Collars* collars = nullptr);
+RefinementStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options,
+                            const Variant& variant = {}, Collars* collars = nullptr);
+
+/// A net as a triangulation, not proved.
+struct TriangulatedNet {
+  Triangulation triangulation;
+  RefinementStatistics statistics;
+  std::optional<std::vector<certify::NetDocument::Collar>> collars;  ///< Of a pseudo net.
+};
+
+/// Like compute_variant, as a triangulation.
+[[nodiscard]] TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon,
+                                               const NetOptions& options = {}, const Variant& variant = {});
 
 }  // namespace epsnet

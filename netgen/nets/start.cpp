@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "triangulation/mesh/contraction.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/surface/points.h"
 

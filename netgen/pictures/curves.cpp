@@ -17,7 +17,7 @@
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/pictures/dirichlet.h"
-#include "netgen/pictures/palette.h"
+#include "netgen/pictures/svg.h"
 
 namespace epsnet {
 namespace {

@@ -11,10 +11,8 @@
 #include "certify/net/document.h"
 #include "netgen/eigenvalues/eigenfunction_values.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/pictures/legend.h"
-#include "netgen/pictures/palette.h"
 #include "netgen/pictures/pictures.h"
-#include "netgen/pictures/svg_path.h"
+#include "netgen/pictures/svg.h"
 
 namespace epsnet {
 namespace {

@@ -2,10 +2,8 @@
 #include <cmath>
 
 #include "certify/base/text.h"
-#include "netgen/pictures/legend.h"
-#include "netgen/pictures/palette.h"
 #include "netgen/pictures/pictures.h"
-#include "netgen/pictures/svg_path.h"
+#include "netgen/pictures/svg.h"
 
 namespace epsnet {
 namespace {

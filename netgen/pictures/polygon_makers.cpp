@@ -10,9 +10,8 @@
 #include "netgen/base/gmp.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/pictures/palette.h"
 #include "netgen/pictures/pictures.h"
-#include "netgen/pictures/svg_path.h"
+#include "netgen/pictures/svg.h"
 #include "netgen/surfaces/surface_file.h"
 
 /// The pictures of pictures.h that show a polygon: what is in them.

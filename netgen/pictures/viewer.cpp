@@ -13,7 +13,7 @@
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/curves.h"
 #include "netgen/pictures/net_pictures.h"
-#include "netgen/pictures/palette.h"
+#include "netgen/pictures/svg.h"
 #include "netgen/pictures/viewer_page.h"
 
 namespace epsnet {

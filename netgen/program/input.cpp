@@ -25,7 +25,7 @@ bool is_json(const std::string& text) {
 }
 
 std::optional<std::string> format_in(const std::string& text) {
-  certify::Pieces bytes(text);
+  certify::ByteStream bytes(text);
   return certify::format_of(bytes);
 }
 

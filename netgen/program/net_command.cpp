@@ -1,13 +1,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <ctime>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,7 +14,6 @@
 #include "netgen/lifts/info.h"
 #include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/net_record.h"
 #include "netgen/pictures/net_pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
@@ -46,7 +42,6 @@ struct NetRequest {
   std::string epsilon;
   std::string output;
   std::string svg;
-  std::string record;
   std::string base;
   std::string points;
   bool no_certify = false;
@@ -75,9 +70,6 @@ std::string close_points_message(const ClosePointsError& error, const NetOptions
   return name(error.first()) + " and " + name(error.second()) + " are not farther from each other than epsilon = ";
 }
 
-/// Returns the processor time of all threads so far.
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 struct PhaseTimes {
   double reading = 0;
   double computing = 0;
@@ -86,17 +78,12 @@ struct PhaseTimes {
   double writing = 0;
 };
 
-/// Returns a quotient such as "2.41", or "-" if the divisor is 0.
+/// Returns the quotient of two positive numbers, such as "2.41".
 std::string ratio_text(double part, double whole) {
-  if (whole == 0) return "-";
   std::ostringstream out;
   out.precision(4);
   out << part / whole;
   return out.str();
-}
-
-std::string ratio_text(std::uint64_t part, std::uint64_t whole) {
-  return ratio_text(static_cast<double>(part), static_cast<double>(whole));
 }
 
 Report uncertified_report(const certify::NetDocument& net) {
@@ -106,24 +93,6 @@ Report uncertified_report(const certify::NetDocument& net) {
               {{"verdict", "not certified"}, {"vertices", net.vertices.size()}, {"triangles", net.triangles.size()}})};
 }
 
-/// Walks and flips in the terms of the thesis (IV.6.2, figures IV.11 and IV.12).
-std::string walk_text(const NetStatistics& s, Insertion insertion) {
-  std::ostringstream out;
-  out << "insertions: " << s.insertions << '\n';
-  out << "flips per insertion: " << ratio_text(s.flips, s.insertions)
-      << (insertion == Insertion::cavity ? " (a cavity of k triangles counts as k - 1 flips)" : "") << '\n';
-  if (insertion == Insertion::cavity) {
-    out << "triangles visited per location, circumcentres in their own triangle: not measured, a cavity needs no "
-           "location; use --insert flips\n";
-    return out.str();
-  }
-  const std::uint64_t elsewhere = s.located - s.located_at_start;
-  out << "triangles visited per location: " << ratio_text(s.walk_steps, s.located) << ", where the start is left "
-      << ratio_text(s.walk_steps, elsewhere) << ", longest walk " << s.longest_walk << '\n';
-  out << "share of circumcentres in their own triangle: " << ratio_text(s.located_at_start, s.located) << '\n';
-  return out.str();
-}
-
 std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, double epsilon, const NetRequest& request,
                             const PhaseTimes& times) {
   const NetStatistics& s = net.statistics;
@@ -131,9 +100,8 @@ std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, doub
   const double least = least_vertices(genus, epsilon);
   const double most = most_vertices(genus, epsilon);
   std::ostringstream out;
-  out << walk_text(s, request.options.insertion);
-  out << "flips of the initial triangulation: " << s.initial_flips << '\n';
-  out << "vertices removed from it: " << s.removed << '\n';
+  out << "insertions: " << s.insertions << '\n';
+  out << "vertices removed from the initial triangulation: " << s.removed << '\n';
   out << "lower bound (g-1)/sinh^2(epsilon/2), Theorem III.2: about " << least << ", ratio " << ratio_text(count, least)
       << '\n';
   out << "upper bound 16(g-1)/epsilon^2, Theorem III.1 if the systole is at least epsilon: about " << most << ", ratio "
@@ -153,14 +121,7 @@ std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, doub
 Json statistics_json(const UncertifiedNet& net, std::uint32_t genus, double epsilon, const NetRequest& request,
                      const PhaseTimes& times) {
   const NetStatistics& s = net.statistics;
-  Json result = Json::object({{"insertions", s.insertions}, {"flips", s.flips}});
-  if (request.options.insertion == Insertion::flips) {
-    result["located"] = s.located;
-    result["located_at_start"] = s.located_at_start;
-    result["walk_steps"] = s.walk_steps;
-    result["longest_walk"] = s.longest_walk;
-  }
-  result["initial_flips"] = s.initial_flips;
+  Json result = Json::object({{"insertions", s.insertions}});
   result["removed"] = s.removed;
   result["vertices_lower_bound"] = least_vertices(genus, epsilon);
   result["vertices_upper_bound"] = most_vertices(genus, epsilon);
@@ -192,23 +153,10 @@ certify::Certificate certify_net(const certify::NetDocument& net, unsigned threa
 }
 
 void check_request(const NetRequest& request) {
-  if (is_stdout(request.record)) throw UsageError("--record cannot be standard output");
-  if (request.no_certify && !request.record.empty()) throw UsageError("--record is for certified nets");
   if (request.options.sparse && request.options.pseudo)
     throw UsageError("--sparse and --pseudo: a pseudo net cannot be sparse");
-  if (request.options.sparse && !request.record.empty()) {
-    throw UsageError("--sparse and --record: a record is of nets that are made in the thesis' way");
-  }
   check_files({{"SURFACE", request.surface}, {"--points", request.points}},
-              {{"--output", request.output, net_type(request.output)},
-               {"--svg", request.svg, FileType::svg},
-               {"--record", request.record, FileType::text}});
-}
-
-std::string record_text(const NetRequest& request, const UncertifiedNet& net, const certify::Certificate& certificate,
-                        const NetSeconds& seconds) {
-  const std::string name = std::filesystem::path(request.surface).stem().string();
-  return net_record_columns() + '\n' + net_record(name, net, certificate, request.options, seconds) + '\n';
+              {{"--output", request.output, net_type(request.output)}, {"--svg", request.svg, FileType::svg}});
 }
 
 void make_net(const NetRequest& request) {
@@ -226,7 +174,6 @@ void make_net(const NetRequest& request) {
   const std::vector<LineText> points =
       request.points.empty() ? std::vector<LineText>() : read_lines(request.points, kPointLines);
   for (const LineText& point : points) options.points.push_back(parse_given_point(point, surface));
-  const double start = processor_seconds();
   const UncertifiedNet net = [&] {
     try {
       return compute(surface, epsilon, options);
@@ -234,21 +181,16 @@ void make_net(const NetRequest& request) {
       throw JobError(close_points_message(error, options, points) + epsilon.text());
     }
   }();
-  const double computed = processor_seconds();
   times.computing = watch.lap();
   certify::Certificate certificate;
   if (!request.no_certify) certificate = certify_net(net.net, request.options.threads);
   Report report = request.no_certify ? uncertified_report(net.net) : certificate_report(certificate);
-  const NetSeconds seconds{computed - start, processor_seconds() - computed};
   times.certifying = watch.lap();
   std::string svg;
   if (!request.svg.empty()) svg = draw_svg(net.net);
   times.drawing = watch.lap();
-  std::string record;
-  if (!request.record.empty()) record = record_text(request, net, certificate, seconds);
   write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net.net, request.output, out); }},
-                 {request.svg, [&](std::ostream& out) { out << svg; }},
-                 {request.record, [&](std::ostream& out) { out << record; }}});
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
   times.writing = watch.lap();
   if (request.stats) {
     const auto rounded = static_cast<double>(epsilon.value());
@@ -296,7 +238,6 @@ void add_net_command(CLI::App& app, Job& chosen) {
       ->option_text("E REQUIRED");
   add_output(*net, request.output, "the net file to write, only if the net is verified");
   add_file(*net, "--svg", request.svg, "also draw the net; \"-\" is standard output");
-  add_file(*net, "--record", request.record, "also write the measurements of the thesis as a table of one line (CSV)");
   net->add_option("--base", request.base,
                   "start from this point alone: of tile T, exact; T alone is the centre of the tile")
       ->option_text("T[,X,Y]");
@@ -313,37 +254,15 @@ void add_net_command(CLI::App& app, Job& chosen) {
                 "times, at about eight times the cost; it is proved faster")
       ->excludes(points);
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
-  CLI::Option* insert =
-      net->add_option("--insert", request.options.insertion,
-                      "how points are inserted: cavity is fast; flips is the way of the thesis, with its statistics")
-          ->transform(one_of<Insertion>({kInsertionNames.begin(), kInsertionNames.end()}))
-          ->option_text("cavity|flips [cavity]");
-  CLI::Option* locate = net->add_option("--locate", request.options.walk,
-                                        "the walk by which --insert flips finds triangles; implies --insert flips")
-                            ->transform(one_of<Walk>({kWalkNames.begin(), kWalkNames.end()}))
-                            ->option_text("visibility|straight [visibility]");
-  net->add_option(
-         "--list", request.options.list,
-         "which triangles the refinement lists, variants A to D of the thesis' Table IV.2: A all, the oldest "
-         "first; B all, the newest first; C large ones, the oldest first; D large ones, the largest first; all "
-         "by one thread. The default is C, for nets of 100,000 vertices or more in pieces on all cores")
-      ->transform(one_of<TriangleList>({kTriangleListNames.begin(), kTriangleListNames.end()}))
-      ->option_text("A|B|C|D");
-  net->add_flag("--stats", request.stats, "also print the measurements of the thesis, and times");
+  net->add_flag("--stats", request.stats,
+                "also print what was counted, the thesis' bounds for the number of points, and times");
   add_json(*net, request.json);
   add_threads(*net, request.options.threads);
   net->footer(
       "Example:\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg && certify net.json\n\n"
       "The report goes to standard output, or to standard error if a file goes there.");
-  net->callback([&chosen, shared, insert, locate] {
-    if (locate->count() > 0) {
-      if (insert->count() > 0 && shared->options.insertion == Insertion::cavity)
-        throw CLI::ValidationError("--locate", "a cavity needs no walk; use --insert flips");
-      shared->options.insertion = Insertion::flips;
-    }
-    chosen = [shared] { make_net(*shared); };
-  });
+  net->callback([&chosen, shared] { chosen = [shared] { make_net(*shared); }; });
 }
 
 }  // namespace epsnet::program

@@ -227,7 +227,7 @@ std::optional<std::array<Permutation, 2>> draw_pair(const Permutation& w, const 
 }  // namespace
 
 std::vector<Permutation> parse_permutations(const std::string& text) {
-  certify::Pieces bytes(text);
+  certify::ByteStream bytes(text);
   certify::Json json(bytes);
   std::vector<Permutation> result;
   const auto take = [&](const char* expected) {

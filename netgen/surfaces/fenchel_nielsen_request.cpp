@@ -99,7 +99,7 @@ struct IsPantsFile {};
 /// Reads a request and nothing else. Throws RequestError, or JsonError.
 class Reader {
  public:
-  explicit Reader(certify::Pieces& text) : json_(text) {}
+  explicit Reader(certify::ByteStream& text) : json_(text) {}
 
   FenchelNielsenRequest read() {
     FenchelNielsenRequest request;
@@ -218,7 +218,7 @@ FenchelNielsen resolve(const FenchelNielsenRequest& request) {
 }
 
 FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {
-  certify::Pieces bytes(text);
+  certify::ByteStream bytes(text);
   try {
     return Reader(bytes).read();
   } catch (const certify::JsonError& error) {

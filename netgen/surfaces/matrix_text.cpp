@@ -173,8 +173,8 @@ class MatrixReader {
   }
 
   void read_json(const std::string& text) {
-    certify::Pieces pieces(text);
-    certify::Json json(pieces);
+    certify::ByteStream bytes(text);
+    certify::Json json(bytes);
     try {
       (void)json.take('{');
       json.members([&](std::string_view name) {

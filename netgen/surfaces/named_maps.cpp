@@ -100,7 +100,7 @@ class MapReader {
     return result;
   }
 
-  certify::Pieces text_;
+  certify::ByteStream text_;
   certify::Json json_;
 };
 

@@ -84,7 +84,7 @@ certify::SurfaceDocument surface_of(certify::ClaimDocument&& claim) {
 
 bool is_claim(const std::string& text) {
   if (certify::is_compact(text)) return true;
-  certify::Pieces bytes(text);
+  certify::ByteStream bytes(text);
   const std::string format = certify::format_of(bytes).value_or("");
   return std::any_of(certify::kClaimKinds.begin(), certify::kClaimKinds.end(),
                      [&](const certify::ClaimKind& kind) { return kind.format == format; });

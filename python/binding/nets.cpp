@@ -128,8 +128,6 @@ std::string exported(const NetDocument& net, const std::string& format, std::opt
 py::dict statistics_of(const NetStatistics& s) {
   py::dict result;
   result["insertions"] = s.insertions;
-  result["flips"] = s.flips;
-  result["initial_flips"] = s.initial_flips;
   result["removed"] = s.removed;
   result["multiprecision"] = s.multiprecision;
   result["collars"] = s.collars;
@@ -141,24 +139,13 @@ py::dict statistics_of(const NetStatistics& s) {
   return result;
 }
 
-/// The value that a name means, if there is one.
-template <class Option, std::size_t N>
-void set_if_named(const OptionNames<Option, N>& names, const std::string& name, auto& option) {
-  if (const std::optional<Option> value = value_in(names, name)) option = *value;
-}
-
 NetOptions net_options(const std::optional<BasePoint>& base, const std::vector<BasePoint>& points, bool pseudo,
-                       bool sparse, const std::string& insert, const std::string& locate, const std::string& list,
-                       unsigned threads) {
+                       bool sparse, unsigned threads) {
   NetOptions options;
   options.base = base;
   options.points = points;
   options.pseudo = pseudo;
   options.sparse = sparse;
-  set_if_named(kInsertionNames, insert, options.insertion);
-  if (!locate.empty()) options.insertion = Insertion::flips;
-  set_if_named(kWalkNames, locate, options.walk);
-  set_if_named(kTriangleListNames, list, options.list);
   options.threads = threads;
   return options;
 }
@@ -426,7 +413,7 @@ void bind_net_files(NetClass& bound) {
 void bind_net_options(py::module_& module) {
   py::class_<NetOptions>(module, "NetOptions")
       .def(py::init(&net_options), py::arg("base"), py::arg("points"), py::arg("pseudo"), py::arg("sparse"),
-           py::arg("insert"), py::arg("locate"), py::arg("list"), py::arg("threads"));
+           py::arg("threads"));
   py::class_<PictureOptions>(module, "DrawOptions")
       .def(py::init(&picture_options), py::arg("centre"), py::arg("triangles"), py::arg("vertices"),
            py::arg("dirichlet"), py::arg("combinatorial_dirichlet"), py::arg("tiles"), py::arg("disks"),

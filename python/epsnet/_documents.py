@@ -9,8 +9,8 @@ from ._annotations import Surface
 from ._arguments import Path, as_path
 from ._immutable import Immutable
 from ._progress import Shower
-from .certificates import Certificate, Proof, required
-from .errors import ArgumentError
+from .certificates import Certificate, Proof
+from .errors import ArgumentError, NotVerifiedError
 
 Core = Union["_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof", "_epsnet.PantsDecomposition"]
 Self = TypeVar("Self", bound="Document")
@@ -101,4 +101,7 @@ def _format_of(text: bytes) -> Optional[str]:
 def certified(core: Core, name: str, shower: Shower) -> Certificate:
     """The certificate of a file. Raises NotVerifiedError unless it is verified."""
     with shower as callback:
-        return required(Certificate(core.check(0, callback)), name, name)
+        certificate = Certificate(core.check(0, callback))
+    if not certificate.verified:
+        raise NotVerifiedError(f"{name}: not verified: {certificate}", certificate, name)
+    return certificate

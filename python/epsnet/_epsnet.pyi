@@ -137,7 +137,7 @@ class Lifts:
 
 class NetOptions:
     def __init__(
-        self, base: Optional[_BasePoint], points: Sequence[_BasePoint], pseudo: bool, sparse: bool, insert: str, locate: str, list: str, threads: int
+        self, base: Optional[_BasePoint], points: Sequence[_BasePoint], pseudo: bool, sparse: bool, threads: int
     ) -> None: ...
 
 class DrawOptions:

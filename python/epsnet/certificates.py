@@ -5,7 +5,6 @@ import html
 from typing import Any, NamedTuple, Optional, Union
 
 from . import _epsnet
-from .errors import NotVerifiedError
 from .intervals import Interval
 
 __all__ = ["Certificate", "Rule"]
@@ -122,13 +121,6 @@ class Certificate:
         colour = "#2f9468" if self.verified else "#d0402b"
         rows = "".join(f"<tr><td>{rule.name}</td><td>{rule.verdict}</td><td style='text-align:left'>{html.escape(rule.text)}</td></tr>" for rule in self.rules)
         return f"<b style='color:{colour}'>{html.escape(str(self))}</b><table>{rows}</table>"
-
-
-def required(certificate: Certificate, subject: str, file: Optional[str] = None) -> Certificate:
-    """The certificate, if it is verified. `subject` is what it is of, `file` the name of the file."""
-    if not certificate.verified:
-        raise NotVerifiedError(f"{subject}: not verified: {certificate}", certificate, file)
-    return certificate
 
 
 class Proof:

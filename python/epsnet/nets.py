@@ -184,18 +184,14 @@ class Net(Document):
     @classmethod
     def _computed(
         cls, surface: "Surface", epsilon: Number, *, base: Optional[PointLike], points: Iterable[PointLike], pseudo: bool, sparse: bool,
-        insert: str, locate: Optional[str], list: Optional[str], threads: int, progress: Progress,
+        threads: int, progress: Progress,
     ) -> "Net":
         start = None if base is None else base_point(surface._core, base, "base")
         given = [base_point(surface._core, p, "points") for p in as_items(points, "points", "points")]
         for name, chosen in (("pseudo", as_flag(pseudo, "pseudo")), ("sparse", as_flag(sparse, "sparse"))):
             if chosen and given:
                 refuse("False with points, as it would move or remove them", chosen, name)
-        options = _epsnet.NetOptions(
-            start, given, pseudo, sparse, as_choice(insert, "insert", ("cavity", "flips")),
-            "" if locate is None else as_choice(locate, "locate", ("visibility", "straight")),
-            "" if list is None else as_choice(list, "list", ("A", "B", "C", "D")), as_threads(threads),
-        )
+        options = _epsnet.NetOptions(start, given, pseudo, sparse, as_threads(threads))
         text = length_text(epsilon, "epsilon")
         with Shower(progress) as callback:
             core, certificate, statistics = _epsnet.Net.compute(surface._core, text, options, callback)

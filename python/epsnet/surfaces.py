@@ -445,9 +445,6 @@ class Surface(Immutable):
         points: Iterable[PointLike] = (),
         pseudo: bool = False,
         sparse: bool = False,
-        insert: str = "cavity",
-        locate: Optional[str] = None,
-        list: Optional[str] = None,
         threads: int = 0,
         progress: Progress = None,
     ) -> Net:
@@ -461,9 +458,6 @@ class Surface(Immutable):
         most ln √2). ``sparse``: a net with few points, 1.4 to 1.5 times the lower bound of the thesis' Theorem III.2 instead of 2.15 times,
         at about eight times the cost.
 
-        For experiments with the algorithm: ``insert`` is "cavity" or "flips", the way of the thesis; ``locate`` its walk, "visibility" or
-        "straight"; ``list`` the order of the triangles, "A" to "D" as in the thesis' Table IV.2.
-
         >>> import epsnet
         >>> surface = epsnet.Surface.octagon(seed=123)
         >>> surface.net("0.2")
@@ -473,8 +467,7 @@ class Surface(Immutable):
         Point(0, 0, -1/3)
         """
         return Net._computed(
-            self, epsilon, base=base, points=points, pseudo=pseudo, sparse=sparse, insert=insert, locate=locate, list=list, threads=threads,
-            progress=progress,
+            self, epsilon, base=base, points=points, pseudo=pseudo, sparse=sparse, threads=threads, progress=progress,
         )
 
     # Closed geodesics.

@@ -87,7 +87,7 @@ def calls(octagon, net, bolza):
         (Surface.load, dict(path="none")), (octagon.save, dict(path="none")), (octagon.export, dict(format="domain", path="none")),
         (octagon.partner, dict(side=0)), (octagon.point, dict(tile=0, x=0, y=0)), (octagon.centre, dict(tile=0)),
         (octagon.element, dict(word=[0])), (octagon.dirichlet_domain, dict(p=0)), (octagon.reduced, dict(word=[0])),
-        (octagon.net, dict(epsilon=1, base=0, points=[], pseudo=False, sparse=False, insert="cavity", locate="straight", list="A", threads=1, progress=False)),
+        (octagon.net, dict(epsilon=1, base=0, points=[], pseudo=False, sparse=False, threads=1, progress=False)),
         (octagon.systole, dict(threads=1, progress=False)), (octagon.spectrum, dict(up_to=2, threads=1, progress=False)),
         (octagon.eigenvalues, dict(count=1, digits=2, epsilon="0.5", threads=1, progress=False)), (octagon.eigenvalues, dict(below=1)),
         (eigenvalues.svg, dict(size=100)), (eigenvalues.count_below, dict(x=1)), (eigenvalues.eigenfunction, dict(index=1)),
@@ -165,7 +165,7 @@ def test_the_list_of_calls_is_complete(calls):
     [
         (lambda s, n: s.net("abc"), "epsilon"), (lambda s, n: s.net(-1), "epsilon"), (lambda s, n: s.net(1, pseudo="yes"), "pseudo"),
         (lambda s, n: s.net(1, pseudo=1), "pseudo"), (lambda s, n: s.net(1, points=[(0, 0, 0)], sparse=True), "sparse"),
-        (lambda s, n: s.net("0.3", points=[(0, 0, 0)], pseudo=True), "pseudo"), (lambda s, n: s.net(1, list="E"), "list"),
+        (lambda s, n: s.net("0.3", points=[(0, 0, 0)], pseudo=True), "pseudo"),
         (lambda s, n: s.element([99]), "word"), (lambda s, n: s.element([-1]), "word"), (lambda s, n: s.element("01"), "word"),
         (lambda s, n: n.svg(colour="x"), "colour"), (lambda s, n: n.svg(show=[3]), "show"), (lambda s, n: n.svg(show=3), "show"),
         (lambda s, n: n.export("vtu", distance_from=10**6), "distance_from"), (lambda s, n: n.export("off", distance_from=0), "distance_from"),

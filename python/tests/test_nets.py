@@ -113,14 +113,6 @@ def test_given_points_are_the_first_vertices(octagon, bolza):
         octagon.net("0.5", points=[(0, 1, 0)])
 
 
-def test_the_ways_of_the_thesis(octagon):
-    plain = octagon.net("0.3")
-    for options in (dict(insert="flips"), dict(locate="straight"), dict(list="D"), dict(list="A", insert="flips", locate="visibility")):
-        net = octagon.net("0.3", **options)
-        assert net.proved and net.statistics["flips"] > 0
-    assert octagon.net("0.3", list="C") == plain != octagon.net("0.3", list="B")
-
-
 def test_summaries(net, bolza):
     assert net.info()["vertices"] == len(net) and net.surface.info()["genus"] == 2
     assert bolza.dirichlet_domain((0, 0, 0)).info()

@@ -22,7 +22,6 @@ EVERYWHERE = {
     "--no-certify": "the module hands out nothing that is not verified",
 }
 NOT_IN_PYTHON = {
-    ("net", "--record"): "Net.statistics; the table is for the thesis' experiments, which run the program",
     ("net", "--stats"): "Net.statistics",
     ("systole", "--epsilon"): "any gives the same geodesic",
     ("spectrum", "--epsilon"): "any gives the same list",
@@ -151,9 +150,6 @@ def test_choices_are_those_of_the_program(net, bolza):
             assert net.surface.matrices()["relation"]
         else:
             assert net.export(form)
-    for option in ("insert", "locate", "list"):
-        for value in values("net", f"--{option}"):
-            assert bolza.net("0.7", **{option: value}).proved
 
 
 def test_what_is_missing_is_named():

@@ -36,14 +36,12 @@ std::map<std::size_t, double> best_net_rate;
 void generate(benchmark::State& state, epsnet::Insertion insertion) {
   const epsnet::Surface surface = epsnet::random_octagon(kSeed);
   const epsnet::Length epsilon = epsilon_of(state.range(0));
-  epsnet::NetOptions options;
-  options.insertion = insertion;
   std::size_t points = 0;
   for (auto _ : state) {
     const auto start = Clock::now();
     epsnet::Triangulation triangulation(surface);
     (void)epsnet::make_delaunay(triangulation);
-    (void)epsnet::refine(triangulation, epsilon, options);
+    (void)epsnet::refine(triangulation, epsilon, {}, {.insertion = insertion});
     const double seconds = seconds_since(start);
     state.SetIterationTime(seconds);
     points = triangulation.vertex_count();

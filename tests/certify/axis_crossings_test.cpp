@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/claims/geodesics/least_sequence.h"
+#include "certify/claims/geodesics/sequences.h"
 #include "tests/certify/lifted_reference.h"
 
 /// Walks along axes, and what follows from them for single geodesics.

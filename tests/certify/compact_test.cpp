@@ -265,7 +265,7 @@ TEST_F(Compact, PiecesMayEndInTheChecksum) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
     ASSERT_EQ(std::fwrite(bytes.data(), 1, size, file.get()), size);
     std::rewind(file.get());
-    Pieces pieces(file.get(), size, {});
+    ByteStream pieces(file.get(), size, {});
     EXPECT_EQ(parse_compact(pieces, [](std::string_view head) { return parse_file<NetDocument>(head, "head"); }),
               document)
         << more;

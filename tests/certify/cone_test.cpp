@@ -1,5 +1,3 @@
-#include "certify/claims/geodesics/cone.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "certify/claims/geodesics/crossing_search.h"
 
 /// Parts of cones, of rays of which the third value is not known: nothing of a part is lost, whatever it is.
 namespace epsnet::certify::cone_test {

@@ -6,7 +6,7 @@
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/claims/geodesics/axis_crossings.h"
-#include "certify/claims/geodesics/least_sequence.h"
+#include "certify/claims/geodesics/sequences.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/lifted_reference.h"
 #include "tests/support/scale.h"

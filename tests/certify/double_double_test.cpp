@@ -1,10 +1,10 @@
-#include "certify/claims/geodesics/double_double.h"
-
 #include <cmath>
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+
+#include "certify/claims/geodesics/crossing_search.h"
 
 /// The numbers must enclose what they say, exactly; inputs cancel, and are of all sizes.
 namespace epsnet::certify::double_double_test {

@@ -1,11 +1,10 @@
-#include "certify/claims/geodesics/edge_distance.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
+#include "certify/claims/geodesics/crossing_search.h"
 #include "tests/support/scale.h"
 
 /// The lower bound for the distance of two segments, beside the distance itself.

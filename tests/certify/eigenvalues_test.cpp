@@ -29,7 +29,7 @@
 #include "certify/claims/eigenvalues/near_vertices.h"
 #include "certify/file/reader.h"
 #include "certify/net/darts.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/inertia.h"
 #include "tests/certify/reference.h"

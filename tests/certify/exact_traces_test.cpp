@@ -1,7 +1,6 @@
-#include "certify/claims/geodesics/exact_traces.h"
-
 #include <gtest/gtest.h>
 
+#include "certify/claims/geodesics/sequences.h"
 #include "tests/certify/lifted_reference.h"
 
 /// Exact comparisons of lengths against long double, on a surface over each ring; and on surfaces where a length is

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/fields.h"
 #include "certify/file/reader.h"
 #include "certify/net/surface_sides.h"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "certify/check.h"
-#include "certify/claims/geodesics/list_rules.h"
+#include "certify/claims/geodesics/sequences.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/surface_check.h"

@@ -1,11 +1,10 @@
-#include "certify/net/gluing_check.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/surface_sides.h"
+#include "certify/net/triangulation_check.h"
 #include "certify/numbers/ball.h"
 #include "tests/certify/far_words.h"
 

@@ -27,7 +27,7 @@ File file_of(const std::string& bytes) {
 }
 
 /// What a text consists of, as a list of its tokens; then what is wrong.
-std::vector<std::string> tokens_of(Pieces& bytes) {
+std::vector<std::string> tokens_of(ByteStream& bytes) {
   std::vector<std::string> result;
   try {
     Json json(bytes);
@@ -49,7 +49,7 @@ std::vector<std::string> tokens_of(Pieces& bytes) {
   return result;
 }
 std::vector<std::string> tokens_of(const std::string& text) {
-  Pieces bytes(text);
+  ByteStream bytes(text);
   return tokens_of(bytes);
 }
 
@@ -94,7 +94,7 @@ TEST(Json, TokensCrossTheEndsOfPieces) {
   for (std::size_t before = 0; before <= text.size() + 1; ++before) {
     const std::string bytes = std::string(kPiece - before, ' ') + text;
     const File file = file_of(bytes);
-    Pieces pieces(file.get(), bytes.size(), {});
+    ByteStream pieces(file.get(), bytes.size(), {});
     ASSERT_EQ(tokens_of(pieces), tokens) << before;
   }
 }
@@ -106,14 +106,14 @@ TEST(Json, TokensMayBeLongerThanPieces) {
     ASSERT_EQ(tokens.size(), 3U);
     EXPECT_TRUE(tokens[1].ends_with(digits));
     const File file = file_of(text);
-    Pieces pieces(file.get(), text.size(), {});
+    ByteStream pieces(file.get(), text.size(), {});
     EXPECT_EQ(tokens_of(pieces), tokens);
   }
 }
 
 /// The integer at the beginning of a text of which so many bytes are in memory, if it is taken.
 std::optional<std::uint32_t> small_integer(std::string_view text) {
-  Pieces bytes(text);
+  ByteStream bytes(text);
   Json json(bytes);
   std::uint32_t value = 77;
   const bool taken = json.take_small_integer(value);
@@ -141,7 +141,7 @@ TEST(Json, SmallIntegersAreTakenAsAWhole) {
 
 TEST(Json, WhatIsFoundIsSaid) {
   const auto found = [](const std::string& text) {
-    Pieces bytes(text);
+    ByteStream bytes(text);
     return Json(bytes).found();
   };
   EXPECT_EQ(found(" "), "the end of the text");
@@ -154,7 +154,7 @@ TEST(Json, WhatIsFoundIsSaid) {
 }
 
 std::optional<std::string> format(const std::string& text) {
-  Pieces bytes(text);
+  ByteStream bytes(text);
   return format_of(bytes);
 }
 

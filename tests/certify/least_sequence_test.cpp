@@ -1,10 +1,9 @@
-#include "certify/claims/geodesics/least_sequence.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
 #include "certify/base/fault.h"
+#include "certify/claims/geodesics/sequences.h"
 
 namespace epsnet::certify::least_sequence_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "certify/base/text.h"
-#include "certify/claims/geodesics/least_sequence.h"
+#include "certify/claims/geodesics/sequences.h"
 #include "certify/file/reader.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"

@@ -1,10 +1,9 @@
-#include "certify/net/map_check.h"
-
 #include <gtest/gtest.h>
 #include <string>
 
 #include "certify/file/reader.h"
 #include "certify/net/darts.h"
+#include "certify/net/triangulation_check.h"
 
 /// Rule `map` alone: each defect is named, where it is first in the file.
 namespace epsnet::certify::map_check_test {

@@ -439,7 +439,7 @@ NetDocument from_file(const std::string& bytes) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
   EXPECT_EQ(std::fwrite(bytes.data(), 1, bytes.size(), file.get()), bytes.size());
   std::rewind(file.get());
-  Pieces pieces(file.get(), bytes.size(), {});
+  ByteStream pieces(file.get(), bytes.size(), {});
   NetDocument document;
   read_document(pieces, &document);
   return document;
@@ -447,7 +447,7 @@ NetDocument from_file(const std::string& bytes) {
 
 TEST(Reader, StructureMayBeLeftToTheCheck) {
   const std::string text = replaced(kSmallNet, "[[0 ,-0.25e-1,0.5\t]]", "[[7 ,-0.25e-1,0.5\t]]");
-  Pieces pieces(text);
+  ByteStream pieces(text);
   NetDocument document;
   read_document(pieces, &document, Structure::unchecked);
   EXPECT_EQ(document.vertices.at(0).chart, 7U);
@@ -959,7 +959,7 @@ TEST(Reader, ErrorsHaveParts) {
          {.place = "net", .problem = "\"1\" found", .expected = "\":\" behind the name of a member"});
   expect([] { return parse_file<SurfaceDocument>(surface_text(R"({"kind": "tiles", "gluing": [[0, "x"]]})"), "test"); },
          {.place = "surface.gluing[0]",
-          .problem = "\"\\\"\" found",
+          .problem = "the string \"x\" found",
           .expected = "an index: an integer >= 0 without sign, fraction or exponent"});
   // Of the structure, which is examined when all is read.
   expect([] { return parse_file<ClaimDocument>(replaced(kSmallGeodesics, "[0,3,0,2]", "[0,3,9,2]"), "test"); },

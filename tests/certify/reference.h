@@ -14,7 +14,7 @@
 
 #include "certify/net/darts.h"
 #include "certify/net/document.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/ball_vector.h"
 #include "certify/numbers/exact.h"

@@ -5,7 +5,7 @@
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
-#include "certify/net/crossings.h"
+#include "certify/net/labels.h"
 #include "certify/net/structure.h"
 #include "certify/net/surface_check.h"
 #include "certify/net/surface_sides.h"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "certify/net/crossings.h"
+#include "certify/net/labels.h"
 #include "certify/net/surface_sides.h"
 
 namespace epsnet::certify::regular_number_test {

@@ -193,8 +193,8 @@ std::vector<std::string> rules_named_in(const std::string& heading) {
 /// The rules after those of the net.
 template <class Document>
 std::vector<std::string> own_rule_names(const Document& document) {
-  const RuleNames net_rules = rules_of(document.net);
-  const RuleNames all = rules_of(document);
+  const RuleNames net_rules = with_net_rules(document.net, {});
+  const RuleNames all = with_net_rules(document.net, own_rules(document));
   EXPECT_TRUE(all.size() > net_rules.size() && std::equal(net_rules.begin(), net_rules.end(), all.begin()));
   return {all.begin() + static_cast<std::ptrdiff_t>(net_rules.size()), all.end()};
 }
@@ -242,9 +242,9 @@ TEST(Rules, OfANetAreThoseOfTheDocument) {
   std::erase_if(usual,
                 [&](const std::string& rule) { return std::find(only.begin(), only.end(), rule) != only.end(); });
   NetDocument document;
-  EXPECT_THAT(rules_of(document), ElementsAreArray(usual));
+  EXPECT_THAT(with_net_rules(document, {}), ElementsAreArray(usual));
   document.collars.emplace();
-  EXPECT_THAT(rules_of(document), ElementsAreArray(pseudo));
+  EXPECT_THAT(with_net_rules(document, {}), ElementsAreArray(pseudo));
 }
 
 TEST(Rules, OfGeodesicsAreThoseOfTheDocument) {

@@ -37,7 +37,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/darts.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
 #include "tests/support/scale.h"
 

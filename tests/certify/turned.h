@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "certify/net/darts.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
 
 namespace epsnet::certify {

@@ -1,48 +1,24 @@
 #!/bin/sh
 # pictures.sh EPSNET SOURCES: makes all pictures of docs/images that epsnet draws again, by the commands of docs/gallery.md.
 # pictures.sh --check EPSNET SOURCES: makes them elsewhere, and fails if they differ from those of docs/images.
-# PNG pictures are compared by the SVG pictures that they are rendered from, by their SHA-256 in
-# docs/images/png-sources.sha256, as renderers differ in pixels.
+# SVG pictures are compared; of PNG pictures only that they are made, as renderers differ in pixels.
 set -eu
 check=false
 if [ "$1" = --check ]; then
   check=true
   shift
 fi
-EPSNET=$(realpath "$1")
+programs=$(dirname "$(realpath "$1")")
 images=$2/docs/images
-export EPSNET
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-mkdir "$work/bin" "$work/made"
-
-# The commands call this instead of epsnet: for a PNG picture X.png it also draws the SVG picture X.png.svg.
-cat >"$work/bin/epsnet" <<'END'
-#!/bin/sh
-"$EPSNET" "$@" || exit
-case "$*" in *.png*) ;; *) exit 0 ;; esac
-for argument; do
-  shift
-  case $argument in
-    --png) ;;
-    *.png) set -- "$@" "$argument.svg" ;;
-    *) set -- "$@" "$argument" ;;
-  esac
-done
-exec "$EPSNET" "$@"
-END
-chmod +x "$work/bin/epsnet"
+mkdir "$work/made"
 
 # All blocks of commands of the document, in order.
 awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' "$2/docs/gallery.md" >"$work/commands"
 [ -s "$work/commands" ] || { echo "docs/gallery.md has no block of commands" >&2; exit 1; }
 cd "$work/made"
-PATH=$work/bin:$PATH sh -eu "$work/commands" >"$work/report" 2>&1 || { tail -n 5 "$work/report" >&2; exit 1; }
-for source in *.png.svg; do
-  sum=$(sha256sum <"$source")
-  printf '%s  %s\n' "${sum%% *}" "${source%.svg}" >>png-sources.sha256
-  rm "$source"
-done
+PATH=$programs:$PATH sh -eu "$work/commands" >"$work/report" 2>&1 || { tail -n 5 "$work/report" >&2; exit 1; }
 rm -f -- *.json
 
 if ! $check; then
@@ -68,7 +44,6 @@ done
 cd "$images"
 for picture in *.*; do
   [ -f "$work/made/$picture" ] || complain "no command of docs/gallery.md makes docs/images/$picture"
-  case $picture in *.sha256) continue ;; esac
   grep -q "images/$picture)" ../gallery.md ../../README.md || complain "no document shows docs/images/$picture"
 done
 for shown in $(grep -Eho "images/[A-Za-z0-9./-]*[.](svg|png)" ../gallery.md ../../README.md | sort -u); do

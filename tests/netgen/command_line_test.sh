@@ -145,7 +145,6 @@ bad 64 "--output (s.json) $input, SURFACE (s.json)" net s.json --epsilon 0.5 -o 
 for spelled in ./s.json folder/../s.json "$PWD/s.json" link.json folder/here/../s.json; do
   bad 64 "$input" net s.json --epsilon 0.5 -o "$spelled"
   bad 64 "$input" net "$spelled" --epsilon 0.5 -o s.json
-  bad 64 "$input" net s.json --epsilon 0.5 -o out/x.json --record "$spelled"
   bad 64 "$input" systole s.json -o "$spelled"
   bad 64 "$input" spectrum s.json --up-to 3 -o "$spelled"
   bad 64 "$input" thick-thin s.json -o "$spelled"
@@ -163,12 +162,12 @@ cp net.json net-as.svg
 bad 64 "$input" draw net-as.svg -o net-as.svg
 same net.json net-as.svg
 for spelled in out/x.svg ./out/x.svg out/../out/x.svg "$PWD/out/x.svg" folder/../out/x.svg; do
-  bad 64 'are one file' net s.json --epsilon 0.5 -o out/x --svg out/x.svg --record "$PWD/out/x"
   bad 64 '.svg' net s.json --epsilon 0.5 -o "$spelled" --svg out/x.svg
 done
 bad 64 'x.json' net s.json --epsilon 0.5 -o out/x.json --svg out/x.json
-for spelled in out/x.json ./out/x.json folder/here/../out/x.json dangling.json; do
-  bad 64 "--output (out/x.json) and --record ($spelled) are one file" net s.json --epsilon 0.5 -o out/x.json --record "$spelled"
+ln -s out/x dangling
+for spelled in out/x ./out/x folder/here/../out/x dangling; do
+  bad 64 "--output (out/x) and --svg ($spelled) are one file" net s.json --epsilon 0.5 -o out/x --svg "$spelled"
 done
 bad 64 'are one file' dirichlet s.json -o out/x --svg ./out/x
 bad 64 'cannot both be standard output' net s.json --epsilon 0.5 -o - --svg /dev/stdout
@@ -192,7 +191,6 @@ for target in out.d out.d/ no-such/x "$long" no-such/; do
     bad 1 'epsnet: \(out.d\|no-such\|000*\)/*x*: cannot be' $command no-such.json -o "$target"
   done
   bad 1 'cannot be' net no-such.json --epsilon 0.5 -o out/x.json --svg "$target"
-  bad 1 'cannot be' net no-such.json --epsilon 0.5 -o out/x.json --record "$target"
   bad 1 'cannot be' dirichlet no-such.json -o out/x.json --svg "$target"
   bad 1 'cannot be' surface octagon --seed 1 -o "$target"
   bad 1 'cannot be' surface regular --genus 2 -o "$target"
@@ -202,7 +200,7 @@ done
 if [ -w /dev/full ]; then
   echo precious >out/kept.json
   runs=$((runs + 1))
-  "$epsnet" net s.json --epsilon 0.5 -o out/kept.json --record /dev/full >output 2>"$messages"
+  "$epsnet" net s.json --epsilon 0.5 -o out/kept.json --svg /dev/full >output 2>"$messages"
   [ $? = 1 ] || complain "a full disk: $(cat "$messages")"
   [ "$(cat out/*)" = precious ] || complain 'a file is replaced although another one could not be written'
   rm out/kept.json

@@ -17,7 +17,7 @@
 #include "certify/check.h"
 #include "certify/claims/eigenvalues/forms.h"
 #include "certify/claims/eigenvalues/halved_net.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/precision.h"
 #include "netgen/eigenvalues/discrete.h"
@@ -609,7 +609,7 @@ TEST(Eigenvalues, NearZeroAreNotSoughtInVain) {
 /// Of numbers that are far below what is set aside for rounding in most matrices.
 TEST(Eigenvalues, VeryNearZeroAreEnclosed) {
   for (const auto& [text, length, width] : {std::tuple{"0.001", 0.001, 0.01}, std::tuple{"0.0001", 0.0001, 0.05}}) {
-    const EigenvaluesDocument document = eigenvalues(with_cuff(text), {.count = 1, .digits = 2});
+    const EigenvaluesDocument document = unproved::eigenvalues(with_cuff(text), {.count = 1, .digits = 2});
     EXPECT_TRUE(is_verified(document));
     ASSERT_EQ(document.eigenvalues.size(), 1U);
     const Interval in = document.eigenvalues[0].in;
@@ -627,7 +627,7 @@ TEST(Eigenvalues, OneOfSixteenIsFoundWithAllOthers) {
   EXPECT_EQ(map.rotation.size(), 432U);
   const Surface surface = surface_of_map(map);
   EXPECT_EQ(surface.genus(), 10U);
-  const EigenvaluesDocument document = eigenvalues(surface, {.count = 1, .digits = 1});
+  const EigenvaluesDocument document = unproved::eigenvalues(surface, {.count = 1, .digits = 1});
   EXPECT_TRUE(is_verified(document));
   ASSERT_EQ(document.eigenvalues.size(), 1U);
   EXPECT_EQ(document.eigenvalues[0].count, 16U);

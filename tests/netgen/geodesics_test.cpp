@@ -18,7 +18,7 @@
 #include "netgen/geodesics/cut_surface.h"
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/triangulated_net.h"
+#include "netgen/nets/refine.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/netgen/unfolding.h"
 #include "tests/support/triangulations.h"

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/triangulated_net.h"
+#include "netgen/nets/refine.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/assembly.h"
+#include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"
 
 /// Net documents as triangulations.

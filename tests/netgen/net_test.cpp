@@ -11,11 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/variants.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 #include "tests/support/scale.h"
@@ -70,11 +72,12 @@ double short_curve(const Surface& surface) {
   return least;
 }
 
-void expect_verified(const Surface& surface, const std::string& epsilon, const NetOptions& options = {}) {
+void expect_verified(const Surface& surface, const std::string& epsilon, const Variant& variant = {}) {
   try {
-    const CertifiedNet net = certified_net(surface, Length(epsilon), options);
-    EXPECT_EQ(net.certificate.verdict, Verdict::verified);
-    EXPECT_EQ(net.certificate.counts.genus, surface.genus());
+    const VariantNet net = compute_variant(surface, Length(epsilon), variant);
+    const certify::Certificate certificate = certify::check(net.net);
+    EXPECT_EQ(certificate.verdict, Verdict::verified);
+    EXPECT_EQ(certificate.counts.genus, surface.genus());
     const double lower = (surface.genus() - 1) / std::pow(std::sinh(std::stod(epsilon) / 2), 2);
     EXPECT_GE(static_cast<double>(net.net.vertices.size()), lower) << "Theorem III.2";
   } catch (const NetError& error) {
@@ -111,18 +114,28 @@ TEST(Net, FileReadsBackTheSame) {
   EXPECT_EQ(certify::parse_file<certify::NetDocument>(text_of(net.net), "net"), net.net);
 }
 
+TEST(Variant, HasTheNamesOfTheThesis) {
+  EXPECT_EQ(name_in(kInsertionNames, Insertion::flips), "flips");
+  EXPECT_EQ(name_in(kWalkNames, Walk::straight), "straight");
+  // The letters of the thesis' Table IV.2.
+  EXPECT_EQ(name_in(kTriangleListNames, TriangleList::all_back), "A");
+  EXPECT_EQ(name_in(kTriangleListNames, TriangleList::all_front), "B");
+  EXPECT_EQ(name_in(kTriangleListNames, TriangleList::large_back), "C");
+  EXPECT_EQ(name_in(kTriangleListNames, TriangleList::largest_first), "D");
+}
+
 TEST(Net, StatisticsAreConsistent) {
   const Surface surface = random_octagon(9);
-  const UncertifiedNet by_flips =
-      compute_net(surface, Length("0.2"), {.insertion = Insertion::flips, .walk = Walk::visibility});
-  const NetStatistics& flips = by_flips.statistics;
+  const VariantNet by_flips =
+      compute_variant(surface, Length("0.2"), {.insertion = Insertion::flips, .walk = Walk::visibility});
+  const RefinementStatistics& flips = by_flips.statistics;
   EXPECT_EQ(flips.located, flips.insertions);
   EXPECT_LE(flips.located_at_start, flips.located);
   EXPECT_GE(flips.walk_steps, flips.located - flips.located_at_start);
   EXPECT_LE(flips.longest_walk, flips.walk_steps);
   EXPECT_GE((flips.located - flips.located_at_start) * flips.longest_walk, flips.walk_steps);
   EXPECT_EQ(flips.charts, by_flips.net.charts.size());
-  const UncertifiedNet cavity = compute_net(surface, Length("0.2"));
+  const VariantNet cavity = compute_variant(surface, Length("0.2"), {});
   EXPECT_EQ(cavity.statistics.insertions + 1, cavity.net.vertices.size());
   EXPECT_EQ(cavity.statistics.located, 0U);
   EXPECT_EQ(cavity.statistics.charts, cavity.net.charts.size());
@@ -304,11 +317,11 @@ struct Means {
   double share_at_start = 0;
 };
 
-Means means(int octagons, const char* epsilon, const NetOptions& options = {}) {
+Means means(int octagons, const char* epsilon, const Variant& variant = {}) {
   Means sum;
   for (std::int32_t seed = 1; seed <= octagons; ++seed) {
-    const UncertifiedNet net = compute_net(random_octagon(seed), Length(epsilon), options);
-    const NetStatistics& s = net.statistics;
+    const VariantNet net = compute_variant(random_octagon(seed), Length(epsilon), variant);
+    const RefinementStatistics& s = net.statistics;
     sum.vertices += static_cast<double>(net.net.vertices.size());
     sum.flips_per_insertion += static_cast<double>(s.flips) / static_cast<double>(s.insertions);
     sum.steps_of_walks += static_cast<double>(s.walk_steps) / static_cast<double>(s.located - s.located_at_start);
@@ -401,14 +414,12 @@ RC_GTEST_PROP(NetProperty, IsVerifiedAndItsSizeLiesBetweenTheBounds, ()) {
 RC_GTEST_PROP(NetProperty, IsVerifiedWhateverTheWay, ()) {
   const Surface surface = random_octagon(any_seed());
   const std::string epsilon = any_epsilon(0.3, 3);
-  NetOptions options = kOneThread;
   for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
     for (const Walk walk : {Walk::visibility, Walk::straight}) {
       for (const TriangleList list : kLists) {
-        options.insertion = insertion;
-        options.walk = walk;
-        options.list = list;
-        RC_ASSERT(certified_net(surface, Length(epsilon), options).certificate.verdict == Verdict::verified);
+        const Variant variant{.insertion = insertion, .walk = walk, .list = list};
+        const VariantNet net = compute_variant(surface, Length(epsilon), variant, kOneThread);
+        RC_ASSERT(certify::check(net.net, kOneThread.check).verdict == Verdict::verified);
       }
     }
   }

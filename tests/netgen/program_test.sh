@@ -24,23 +24,13 @@ done
 good surface octagon --seed 123 -o s.json
 good info s.json
 grep -q '^genus: 2$' output || complain "info of a surface does not say its genus"
-good net s.json --epsilon 0.2 -o flips.json --insert flips --stats
-grep -q '^share of circumcentres in their own triangle: 0\.[5-8]' output || complain "no statistics of walks: $(cat output)"
-good net s.json --epsilon 0.2 -o straight.json --insert flips --locate straight
-verified flips.json
-verified straight.json
-good net s.json --epsilon 0.2 -o implied.json --locate straight
-same straight.json implied.json
-good net s.json --epsilon 0.2 -o b.json --list B --record record.csv
-verified b.json
-grep -q '^s,0.2,cavity,,B,VERIFIED,2,' record.csv || complain "the record: $(cat record.csv)"
 good net s.json --epsilon 0.1 -o sparse.json --sparse --stats
 verified sparse.json
 grep -q '^lower bound.* ratio 1\.4' output || complain "a sparse net is not sparse: $(cat output)"
 good net s.json --epsilon 0.1 -o sparse-again.json --sparse --threads 1
 same sparse.json sparse-again.json
-good net s.json --epsilon 0.4 -o sparse-flips.json --sparse --insert flips --list D --base 0
-verified sparse-flips.json
+good net s.json --epsilon 0.4 -o sparse-base.json --sparse --base 0
+verified sparse-base.json
 good --version
 grep -q '^epsnet [0-9.]*$' output || complain "the version: $(cat output)"
 good net s.json --epsilon 0.2 -o unproved.json --no-certify
@@ -233,11 +223,6 @@ bad 64 'octagon, fenchel-nielsen, regular, cover, dehn-twist, twist, named, map,
 bad 64 'nonsense' surface nonsense
 bad 64 'seed' surface octagon -o out/s.json
 bad 64 '^epsnet: --sparse and --pseudo: a pseudo net cannot be sparse' net thin.json --epsilon 0.3 --sparse --pseudo -o out/net.json
-bad 64 '^epsnet: --sparse and --record: a record is of nets' net s.json --epsilon 0.3 --sparse --record out/r.csv -o out/net.json
-bad 64 'list' net s.json --epsilon 0.2 --list E -o out/net.json
-bad 64 'record cannot be standard output' net s.json --epsilon 0.2 -o out/net.json --record -
-bad 64 'certified nets' net s.json --epsilon 0.2 -o out/net.json --record out/r.csv --no-certify
-bad 1 'nowhere' net s.json --epsilon 0.2 -o out/net.json --record nowhere/r.csv
 bad 64 'genus: needed' surface fenchel-nielsen --seed 1 -o out/s.json
 bad 64 'seed: needed' surface fenchel-nielsen --genus 2 -o out/s.json
 bad 64 'at least 2' surface fenchel-nielsen --genus 1 --seed 1 -o out/s.json
@@ -255,9 +240,6 @@ bad 64 'seed' surface octagon --seed 99999999999 -o out/s.json
 bad 64 'output' surface octagon --seed 1
 bad 64 'epsilon' net s.json -o out/n.json
 bad 64 'standard output' net s.json --epsilon 1 -o - --svg -
-bad 64 'insert' net s.json --epsilon 1 -o out/n.json --insert magic
-bad 64 'locate' net s.json --epsilon 1 -o out/n.json --locate magic
-bad 64 'cavity' net s.json --epsilon 1 -o out/n.json --insert cavity --locate straight
 bad 64 'threads' net s.json --epsilon 1 -o out/n.json --threads -1
 bad 64 'format' export s.json -o out/x.txt
 bad 64 'format' export s.json --format magic -o out/x.txt
@@ -300,7 +282,6 @@ bad 1 'infinite.json: lengths: expected a number.*"Infinity"' surface fenchel-ni
 bad 64 '--genus: expected an integer from 2 to 1000, not "1001"' surface regular --genus 1001 -o out/s.json
 bad 1 'not inside of the unit disk' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
-bad 64 'expected one of cavity, flips, not "both"' net fn.json --epsilon 1 --insert both -o out/n.json
 bad 64 'expected one of domain, triangulation, off, vtu, gmsh, edges, json, matrices, not "obj"' export fn.json --format obj -o out/e
 bad 64 '--genus: expected an integer from 2 to 1000, not "three"' surface regular --genus three
 bad 64 '--seed = three: not a whole number' surface octagon --seed three -o out/s.json

@@ -18,6 +18,7 @@
 #include "netgen/nets/collars.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
+#include "netgen/nets/variants.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
@@ -53,12 +54,13 @@ double most_vertices_of_pseudo_net(std::uint32_t genus, double epsilon) {
 
 /// The number of vertices of a net that is verified as a pseudo net with so many collars.
 std::size_t expect_verified(const Surface& surface, const std::string& epsilon, std::size_t collars,
-                            const NetOptions& options = kPseudo) {
+                            const NetOptions& options = kPseudo, const Variant& variant = {}) {
   try {
-    const CertifiedNet net = certified_net(surface, Length(epsilon), options);
-    EXPECT_EQ(net.certificate.verdict, Verdict::verified);
-    EXPECT_EQ(net.certificate.rules.size(), 9U);
-    EXPECT_EQ(net.certificate.counts.collars, collars) << epsilon;
+    const VariantNet net = compute_variant(surface, Length(epsilon), variant, options);
+    const Certificate certificate = certify::check(net.net, options.check);
+    EXPECT_EQ(certificate.verdict, Verdict::verified);
+    EXPECT_EQ(certificate.rules.size(), 9U);
+    EXPECT_EQ(certificate.counts.collars, collars) << epsilon;
     EXPECT_EQ(net.statistics.collars, collars);
     EXPECT_LT(static_cast<double>(net.net.vertices.size()),
               most_vertices_of_pseudo_net(surface.genus(), std::stod(epsilon)));
@@ -122,9 +124,9 @@ TEST(PseudoNet, CollarsAreFoundFromAfar) {
       const Surface surface = with_cuffs({power_of_ten(digits), power_of_ten(digits)});
       NetOptions options = kPseudo;
       options.base = centre_of_tile(surface, TileId(0));
-      options.insertion = insertion;
-      expect_verified(surface, "0.2", 2, options);
-      EXPECT_GE(compute_net(surface, Length("0.2"), options).statistics.undone, 1U);
+      const Variant variant{.insertion = insertion};
+      expect_verified(surface, "0.2", 2, options, variant);
+      EXPECT_GE(compute_variant(surface, Length("0.2"), variant, options).statistics.undone, 1U);
     }
   }
 }
@@ -167,16 +169,17 @@ RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
   const Surface surface = fenchel_nielsen_surface(coordinates);
   const Length epsilon(std::round((0.2 + 0.14 * any_share()) * 1e4) / 1e4);
   NetOptions options = kPseudo;
-  options.insertion = any_index(2u) == 0 ? Insertion::cavity : Insertion::flips;
+  const Variant variant{.insertion = any_index(2u) == 0 ? Insertion::cavity : Insertion::flips};
   if (any_index(2u) == 0) {
     options.base = centre_of_tile(surface, TileId(any_index(surface.tiles().size())));
   }
-  const CertifiedNet net = certified_net(surface, epsilon, options);
+  const VariantNet net = compute_variant(surface, epsilon, variant, options);
+  const Certificate certificate = certify::check(net.net, options.check);
   const auto short_cuffs = std::count_if(coordinates.lengths.begin(), coordinates.lengths.end(),
                                          [&](const Rational& length) { return length < epsilon.value(); });
-  RC_ASSERT(net.certificate.verdict == Verdict::verified);
-  RC_ASSERT(net.certificate.counts.collars >= static_cast<std::uint64_t>(short_cuffs));
-  RC_ASSERT(net.certificate.counts.collars <= 3 * genus - 3);
+  RC_ASSERT(certificate.verdict == Verdict::verified);
+  RC_ASSERT(certificate.counts.collars >= static_cast<std::uint64_t>(short_cuffs));
+  RC_ASSERT(certificate.counts.collars <= 3 * genus - 3);
   RC_ASSERT(static_cast<double>(net.net.vertices.size()) <
             most_vertices_of_pseudo_net(genus, static_cast<double>(epsilon.value())));
 }
@@ -386,7 +389,7 @@ TEST(PseudoCertificate, TrianglesOfCollarsNeedACircumcircle) {
   Triangulation triangulation(surface);
   make_delaunay(triangulation);
   Collars collars(triangulation, epsilon);
-  (void)refine(triangulation, epsilon, kPseudo, &collars);
+  (void)refine(triangulation, epsilon, kPseudo, {}, &collars);
   ASSERT_EQ(collars.count(), 1U);
   std::string covering;
   for (int turns = 0; turns < 100 && covering.find("has no circumcircle") == std::string::npos; ++turns) {

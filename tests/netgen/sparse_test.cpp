@@ -11,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/nets/relaxation.h"
-#include "netgen/nets/triangulated_net.h"
+#include "netgen/nets/variants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
@@ -205,15 +205,16 @@ TEST(SparseNet, KeepsTheBasePoint) {
 
 TEST(SparseNet, IsMadeWithEveryListAndByFlips) {
   const Surface surface = random_octagon(3);
+  const auto made = [&](const Variant& variant) {
+    VariantNet net = compute_variant(surface, Length("0.15"), variant, kSparse);
+    EXPECT_EQ(certify::check(net.net, kSparse.check).verdict, certify::Verdict::verified);
+    return net;
+  };
   for (const TriangleList list : {TriangleList::all_back, TriangleList::all_front, TriangleList::largest_first}) {
-    NetOptions options = kSparse;
-    options.list = list;
-    EXPECT_LE(times_lower_bound(certified_net(surface, 0.15, options).net, 2), 1.7) << name(list);
+    EXPECT_LE(times_lower_bound(made({.list = list}).net, 2), 1.7) << name_in(kTriangleListNames, list);
   }
-  NetOptions flips = kSparse;
-  flips.insertion = Insertion::flips;
-  const CertifiedNet net = certified_net(surface, 0.15, flips);
-  EXPECT_EQ(net.statistics.located, net.statistics.insertions);
+  const RefinementStatistics by_flips = made({.insertion = Insertion::flips}).statistics;
+  EXPECT_EQ(by_flips.located, by_flips.insertions);
 }
 
 TEST(SparseNet, IsNoPseudoNet) {

@@ -8,6 +8,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/octagon.h"
 #include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/insertion.h"
 
 namespace epsnet::test {
 
@@ -212,6 +213,18 @@ LiftedPoint any_point(Triangulation& triangulation, TriangleId t) {
 
 bool insert_by_flips(Triangulation& triangulation, TriangleId t, const LiftedPoint& point, Journal* journal) {
   return epsnet::insert_by_flips(triangulation, t, point, Walk::straight, kAnySteps, journal).has_value();
+}
+
+std::optional<std::vector<TriangleId>> insert_in_cavity(Triangulation& triangulation, TriangleId t, VertexId vertex,
+                                                        LabelId label, const std::function<bool(Corner)>& accept,
+                                                        Journal* journal) {
+  Cavity cavity;
+  const auto accepted = [&](const Cavity::Edge& e) { return accept(e.from); };
+  if (!cavity.find(triangulation, t, {vertex, label}) || !std::ranges::all_of(cavity.boundary(), accepted)) {
+    return std::nullopt;
+  }
+  const auto fan = cavity.fill(triangulation, {vertex, label}, journal);
+  return std::vector<TriangleId>(fan.begin(), fan.end());
 }
 
 Triangulation any_delaunay(const Surface& surface, std::uint32_t points) {

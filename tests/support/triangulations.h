@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <rapidcheck.h>
 #include <string>
@@ -113,6 +114,14 @@ LiftedPoint any_point(Triangulation& triangulation, TriangleId t);
 /// Makes a point the next vertex; the straight walk finds its triangle. `point.label` leads from its chart to the chart
 /// of triangle t. Returns false, with nothing changed, if there already is a vertex at the point.
 bool insert_by_flips(Triangulation& triangulation, TriangleId t, const LiftedPoint& point, Journal* journal = nullptr);
+
+/// Makes `vertex` (added, in no triangle) a vertex of the Delaunay triangulation by Bowyer–Watson, as `Cavity` does in
+/// a refinement, starting at triangle t, which must be in conflict with it. `label` leads from the vertex's chart to
+/// t's chart. Returns the triangles around the vertex, as split_face; nothing, with nothing changed, if the cavity
+/// meets a lift of itself, or `accept(corners of the link)` says no.
+std::optional<std::vector<TriangleId>> insert_in_cavity(Triangulation& triangulation, TriangleId t, VertexId vertex,
+                                                        LabelId label, const std::function<bool(Corner)>& accept,
+                                                        Journal* journal = nullptr);
 
 /// Returns the Delaunay triangulation of a surface's own vertices and `points` random points.
 Triangulation any_delaunay(const Surface& surface, std::uint32_t points);

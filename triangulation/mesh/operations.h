@@ -9,14 +9,20 @@
 #include <vector>
 
 #include "triangulation/mesh/triangulation.h"
-#include "triangulation/mesh/walk.h"
 
-/// What a triangulation is asked and how it is changed, by level: queries, which change no triangle; high-level
-/// operations, which keep it sound (and Delaunay where they say so); low-level operations, of which these are made.
-///
-/// A triangulation is sound if `problem` finds nothing. Where an operation records into a journal, `undo` takes it
-/// back.
 namespace epsnet {
+
+/// The walk that finds the triangle containing a point (thesis Chapter II, IV.4.3).
+enum class Walk {
+  visibility,  ///< Crosses any edge behind which the point lies; ends in a Delaunay triangulation (Theorem II.1).
+  straight,    ///< Follows the geodesic from a corner; ends in every triangulation.
+};
+
+// What a triangulation is asked and how it is changed, by level: queries, which change no triangle; high-level
+// operations, which keep it sound (and Delaunay where they say so); low-level operations, of which these are made.
+//
+// A triangulation is sound if `problem` finds nothing. Where an operation records into a journal, `undo` takes it
+// back.
 
 // Queries.
 
@@ -92,11 +98,6 @@ struct InsertedVertex {
                                                             std::uint32_t most_steps = kAnySteps,
                                                             Journal* journal = nullptr);
 
-/// Contracts every dart for which `contracts`, asked in the order of triangles, says yes, where that can be done, as
-/// `contract`; vertices and triangles that are left keep their order. Returns the number of vertices removed. The
-/// triangulation need not be Delaunay before or after. O(n) in all, but for the degrees of vertices.
-std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& contracts);
-
 /// Gives triangles and vertices numbers in the order in which a breadth-first search from a triangle at vertex 0, which
 /// keeps its number, meets them: what is near on the surface is near in memory. Nothing else changes. O(n).
 void renumber_by_neighbours(Triangulation& triangulation);
@@ -118,34 +119,9 @@ std::vector<TriangleId> split_face(Triangulation& triangulation, TriangleId t, V
 std::vector<TriangleId> split_edge(Triangulation& triangulation, Dart d, VertexId vertex, LabelId label,
                                    Journal* journal = nullptr);
 
-/// Makes `vertex` (added, in no triangle) a vertex of the Delaunay triangulation by Bowyer–Watson, starting at triangle
-/// t, which must be in conflict with it. `label` leads from the vertex's chart to t's chart. Returns the triangles
-/// around the vertex, as split_face; nothing, with nothing changed, if the cavity meets a lift of itself (few vertices,
-/// short loops), or `accept(corners of the link)` says no. Requires a Delaunay triangulation.
-[[nodiscard]] std::optional<std::vector<TriangleId>> insert_in_cavity(Triangulation& triangulation, TriangleId t,
-                                                                      VertexId vertex, LabelId label,
-                                                                      const std::function<bool(Corner)>& accept,
-                                                                      Journal* journal = nullptr);
-
 /// Replaces the edge of d by the other diagonal of the two triangles beside it, and returns a dart of the new edge. The
 /// two triangles may share more edges. Requires their lifts side by side to make a strictly convex quadrilateral; an
 /// edge that is not Delaunay does (thesis Theorem I.31).
 Dart flip(Triangulation& triangulation, Dart d, Journal* journal = nullptr);
-
-/// A Dehn twist, where it saves flips: if the two triangles beside d make an annulus around a short closed curve and
-/// the edges across turn around it many times more than a Delaunay triangulation lets them, undoes all of these turns,
-/// which would take as many flips. False, with nothing changed, elsewhere. The darts stay where they are. Throws
-/// LimitError if there are so many turns that the words of labels become too long.
-[[nodiscard]] bool untwist(Triangulation& triangulation, Dart d, Journal* journal);
-
-/// Moves the start vertex of d along d into its end, which it becomes; vertices and triangles are renumbered: the last
-/// ones take the numbers of those that vanish. Returns a dart that leaves the merged vertex; nothing, with nothing
-/// changed, if the two are one vertex or if some triangle would not stay counterclockwise. (What is left is again a
-/// triangulation: labels fit, triangles are counterclockwise and V − E + F is the same.) O(n).
-[[nodiscard]] std::optional<Dart> contract(Triangulation& triangulation, Dart d);
-
-/// Moves the start vertex of d to a point, which is lifted to that vertex's chart. False, with nothing changed, if
-/// some triangle would not stay counterclockwise. O(degree of the vertex).
-[[nodiscard]] bool move_vertex(Triangulation& triangulation, Dart d, const LiftedPoint& point);
 
 }  // namespace epsnet

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
@@ -10,7 +12,7 @@
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/label_table.h"
 #include "triangulation/surface/surface.h"
-#include "triangulation/surface/word_evaluator.h"
+#include "triangulation/surface/words.h"
 
 namespace epsnet {
 
@@ -126,5 +128,50 @@ class Atlas {
   LabelTable labels_;
   WordEvaluator words_;
 };
+
+/// Products and inverses of labels of an atlas, as far as it has them: several threads may have an object each
+/// as long as nobody adds labels. The other way round, an object stays right when labels are added.
+class KnownLabels {
+ public:
+  explicit KnownLabels(const Atlas& atlas) : atlas_(&atlas) {}
+
+  /// f ∘ g; kUnknownLabel if it is not known or if f or g is not.
+  [[nodiscard]] LabelId product(LabelId f, LabelId g) {
+    if (f == kIdentity) return g;
+    if (g == kIdentity) return f;
+    Recent& recent = recent_[slot(f, g)];
+    if (recent.f != f || recent.g != g) {
+      if (f == kUnknownLabel || g == kUnknownLabel) return kUnknownLabel;
+      const LabelId known = atlas_->known_product(f, g);
+      if (known == kUnknownLabel) return kUnknownLabel;
+      recent = {f, g, known};
+    }
+    return recent.product;
+  }
+  [[nodiscard]] LabelId inverse(LabelId f) const { return atlas_->known_inverse(f); }
+  [[nodiscard]] const Atlas& atlas() const { return *atlas_; }
+
+ private:
+  struct Recent {
+    LabelId f = kIdentity;
+    LabelId g = kIdentity;
+    LabelId product = kIdentity;
+  };
+  static constexpr unsigned kBits = 12;
+  [[nodiscard]] static std::size_t slot(LabelId f, LabelId g) {
+    constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // Multiplicative hashing.
+    return static_cast<std::size_t>((((std::uint64_t{f} << 32) | g) * kGolden) >> (64 - kBits));
+  }
+
+  const Atlas* atlas_;
+  std::vector<Recent> recent_ = std::vector<Recent>(std::size_t{1} << kBits);
+};
+
+/// A lower bound of the lengths of closed geodesics, from one tile: no geodesic of the surface is shorter than the
+/// smallest of its tiles' bounds (docs/error-bounds.md). Near the length of a short geodesic that crosses the tile; at
+/// least 10⁻⁹⁰, which also stands for less.
+///
+/// Quadratic in the number of sides.
+[[nodiscard]] double curve_bound(const Tile& tile);
 
 }  // namespace epsnet

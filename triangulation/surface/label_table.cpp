@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "triangulation/surface/isometry_size.h"
+#include "triangulation/surface/words.h"
 
 namespace epsnet {
 namespace {

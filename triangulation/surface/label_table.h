@@ -13,7 +13,7 @@
 #include "kernel/numbers.h"
 #include "triangulation/surface/charts.h"
 #include "triangulation/surface/surface.h"
-#include "triangulation/surface/word_evaluator.h"
+#include "triangulation/surface/words.h"
 
 namespace epsnet {
 

@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/counted.h"
 #include "certify/base/interval.h"
+#include "certify/base/text.h"
 #include "certify/claims/bound/element.h"
 #include "certify/claims/bound/frame.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/claims/net/claim.h"
 #include "certify/lifted/lorentz.h"
 #include "certify/net/darts.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"

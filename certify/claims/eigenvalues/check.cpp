@@ -4,14 +4,13 @@
 #include <numeric>
 #include <utility>
 
-#include "certify/base/counted.h"
 #include "certify/base/text.h"
 #include "certify/claims/eigenvalues/eigenfunction.h"
 #include "certify/claims/eigenvalues/enclosures.h"
 #include "certify/claims/eigenvalues/forms.h"
 #include "certify/claims/eigenvalues/halved_net.h"
 #include "certify/claims/net/claim.h"
-#include "certify/net/label_evaluator.h"
+#include "certify/net/labels.h"
 #include "certify/numbers/inertia.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"

@@ -8,8 +8,7 @@
 #include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/crossing_search.h"
 #include "certify/claims/geodesics/document.h"
-#include "certify/claims/geodesics/exact_traces.h"
-#include "certify/claims/geodesics/least_sequence.h"
+#include "certify/claims/geodesics/sequences.h"
 
 namespace epsnet::certify {
 

@@ -1,15 +1,146 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "certify/claims/geodesics/double_double.h"
-#include "certify/claims/geodesics/moved_net.h"
+#include "certify/base/interval.h"
+#include "certify/claims/geodesics/axis_crossings.h"
+#include "certify/numbers/ball.h"
+#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
+
+/// More than what underflows of a product.
+inline constexpr double kUnderflow = 0x1p-900;
+
+/// A number within `radius` of high + low, two numbers of binary64, |low| ≤ 2⁻⁵³ |high|: some hundred bits, in a fifth
+/// of the time that balls take. Nothing is known of a number whose members are not finite. docs/proof.md, Lemma 14.1,
+/// bounds the errors; it asks for rounding to nearest (RoundingToNearest).
+struct DoubleDouble {
+  double high = 0;
+  double low = 0;
+  double radius = 0;
+
+  [[nodiscard]] DoubleDouble operator-() const { return {-high, -low, radius}; }
+};
+
+/// A number that encloses the ball.
+[[nodiscard]] DoubleDouble to_double_double(const Ball& x);
+
+[[nodiscard]] inline bool is_finite(const DoubleDouble& x) { return std::isfinite(x.high) && std::isfinite(x.radius); }
+
+/// 1 or −1 if the number certainly has this sign; else 0, which says nothing.
+[[nodiscard]] inline int certain_sign(const DoubleDouble& x) {
+  // |low| is at most half of |high|.
+  if (!(std::fabs(x.high) > 2 * x.radius)) return 0;
+  return x.high > 0 ? 1 : -1;
+}
+
+/// An interval around a number that is finite.
+[[nodiscard]] inline Interval fast_interval(const DoubleDouble& x) {
+  // |low| is less than the units by which each end is moved once more.
+  return {below(below(x.high) - x.radius), above(above(x.high) + x.radius)};
+}
+
+/// x₀y₀ + x₁y₁ + …, of up to three products.
+template <std::size_t N>
+[[nodiscard]] DoubleDouble sum_of_products(const std::array<DoubleDouble, N>& x, const std::array<DoubleDouble, N>& y) {
+  static_assert(N <= 3, "the bounds for errors are those of three products");
+  double sum = 0;        // Of the products of the high parts, rounded,
+  double rest = 0;       // and what is to be added to it.
+  double size = 0;       // Of the absolute values of these products.
+  double inherited = 0;  // The error of the factors.
+  for (std::size_t i = 0; i < N; ++i) {
+    // T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18, 1971.
+    const auto split = [](double a) {
+      const double scaled = 0x1.0000002p+27 * a;
+      const double upper = scaled - (scaled - a);
+      return std::array{upper, a - upper};
+    };
+    const double product = x[i].high * y[i].high;
+    const auto [a, b] = split(x[i].high);
+    const auto [c, d] = split(y[i].high);
+    const double error = ((a * c - product) + a * d + b * c) + b * d;
+    rest += error + (x[i].high * y[i].low + x[i].low * y[i].high);
+    // D. E. Knuth, The Art of Computer Programming 2, 4.2.2, Theorem B.
+    const double before = sum;
+    sum += product;
+    const double part = sum - before;
+    rest += (before - (sum - part)) + (product - part);
+    size += std::fabs(product);
+    inherited += std::fabs(x[i].high) * y[i].radius + std::fabs(y[i].high) * x[i].radius + x[i].radius * y[i].radius;
+  }
+  const double high = sum + rest;
+  const double part = high - sum;
+  const double low = (sum - (high - part)) + (rest - part);
+  return {high, low, (0x1p-98 * size + inherited) * (1 + 0x1p-40) + kUnderflow};
+}
+
+// Cones of functionals by rays on their boundaries, for balls and for numbers of twice the length of binary64
+// (docs/proof.md, Lemma 14).
+
+/// By its values at three points.
+template <class Number>
+using Functional = std::array<Number, 3>;
+
+/// x₀y₀ + x₁y₁ + …
+template <std::size_t N>
+[[nodiscard]] Ball sum_of_products(const std::array<Ball, N>& x, const std::array<Ball, N>& y) {
+  Ball result;
+  arb_dot(result.get(), nullptr, 0, x[0].get(), 1, y[0].get(), 1, N, Precision::bits());
+  return result;
+}
+
+/// The ray between two on which the third value vanishes; that has different signs at the two.
+template <class Number>
+[[nodiscard]] Functional<Number> meeting(const Functional<Number>& x, const Functional<Number>& y) {
+  const bool positive = certain_sign(x[2]) > 0;
+  const std::array<Number, 2> weights{positive ? -y[2] : y[2], positive ? x[2] : -x[2]};
+  Functional<Number> result;
+  for (std::size_t i = 0; i < 2; ++i) result[i] = sum_of_products(weights, std::array<Number, 2>{x[i], y[i]});
+  return result;
+}
+
+/// Adds to `part` rays of a cone that contains all functionals of the given one, whose rays are in cyclic order, of
+/// which the third value is 0 or has the sign `wanted`, 1 or −1; none only if there certainly are no such functionals.
+/// `sides` is only used on the way.
+template <class Number>
+void clip_cone(std::span<const Functional<Number>> rays, int wanted, std::vector<int>& sides,
+               std::vector<Functional<Number>>& part) {
+  const std::size_t count = rays.size();
+  sides.resize(count);
+  for (std::size_t i = 0; i < count; ++i) sides[i] = wanted * certain_sign(rays[i][2]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = i == 0 ? count - 1 : i - 1;
+    const std::size_t after = i + 1 == count ? 0 : i + 1;
+    // One that is certainly out, next to one of which that is not known: the edge between may be partly in.
+    if (sides[i] >= 0 || sides[before] == 0 || sides[after] == 0) part.push_back(rays[i]);
+    if (sides[i] * sides[after] < 0) part.push_back(meeting(rays[i], rays[after]));
+  }
+}
+
+// The distance of two geodesic segments, in intervals of binary64 that are rounded outward.
+
+/// Of two segments, from s to e and from r to l: enclosures of the cosh of the distances of their ends and of their
+/// lengths.
+struct SegmentPair {
+  Interval e_l;
+  Interval s_l;
+  Interval e_r;
+  Interval s_r;
+  Interval l_r;
+  Interval e_s;
+};
+
+/// A lower bound of cosh² of the distance of two segments that do not cross each other: the least of four distances of
+/// an end from the other segment, and that of the lines, if it is possibly attained on the segments.
+[[nodiscard]] double cosh2_below(SegmentPair pair);
 
 /// What is asked at every closed geodesic that is found, in the order of the search.
 enum class Search { go_on, stop };

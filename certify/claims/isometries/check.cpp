@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "certify/base/counted.h"
-#include "certify/claims/geodesics/check.h"
-#include "certify/claims/geodesics/geodesics_rules.h"
+#include "certify/base/text.h"
+#include "certify/claims/geodesics/fields.h"
 #include "certify/claims/isometries/conjugation.h"
 #include "certify/claims/isometries/frames.h"
 #include "certify/claims/isometries/orbit.h"
@@ -13,7 +12,7 @@
 #include "certify/lifted/lorentz.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
-#include "certify/verdict/open_rules.h"
+#include "certify/verdict/verification.h"
 
 namespace epsnet::certify {
 namespace {

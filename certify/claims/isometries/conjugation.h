@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "certify/net/crossings.h"
+#include "certify/net/labels.h"
 #include "certify/numbers/budget.h"
 
 /// Isometries of the plane that take some elements of groups to others, decided exactly (docs/proof.md, Lemmas 38 and

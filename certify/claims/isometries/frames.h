@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "certify/claims/geodesics/axis_crossings.h"
-#include "certify/claims/geodesics/moved_net.h"
 
 /// Where the closed geodesics of a list cross, and what that says of isometries (docs/proof.md, Lemma 41).
 namespace epsnet::certify {

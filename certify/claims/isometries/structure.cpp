@@ -1,7 +1,7 @@
 #include "certify/net/structure.h"
 
 #include "certify/base/text.h"
-#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/fields.h"
 #include "certify/claims/isometries/check.h"
 #include "certify/claims/isometries/orbit.h"
 

@@ -3,12 +3,11 @@
 #include <optional>
 #include <utility>
 
-#include "certify/claims/collars/check.h"
+#include "certify/claims/net/collars.h"
 #include "certify/net/geometry_check.h"
-#include "certify/net/gluing_check.h"
-#include "certify/net/map_check.h"
 #include "certify/net/surface_check.h"
 #include "certify/net/surface_sides.h"
+#include "certify/net/triangulation_check.h"
 
 namespace epsnet::certify {
 namespace {

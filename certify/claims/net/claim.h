@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "certify/net/crossings.h"
 #include "certify/net/document.h"
+#include "certify/net/labels.h"
 #include "certify/net/structure.h"
 #include "certify/verdict/verification.h"
 

@@ -3,7 +3,7 @@
 
 #include "kernel/predicates.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/local_insertion.h"
+#include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/operations.h"
 
 /// What the headers require of their callers is asserted in debug and sanitizer builds.

@@ -1,3 +1,5 @@
+#include "triangulation/mesh/contraction.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -15,10 +15,8 @@
 #include "netgen/nets/net_document.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/circumcentre.h"
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/local_insertion.h"
-#include "triangulation/mesh/marks.h"
+#include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/operations.h"
 
 namespace epsnet::triangulation_test {
@@ -31,6 +29,7 @@ using test::any_point;
 using test::any_surface;
 using test::area_of;
 using test::gallery;
+using test::insert_in_cavity;
 using test::snapshot;
 using test::tessellation_of;
 using test::total_area;

@@ -8,8 +8,8 @@
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/refine.h"
 #include "netgen/nets/start.h"
-#include "netgen/nets/triangulated_net.h"
 #include "triangulation/mesh/operations.h"
 
 /// What is done at once instead of step by step: many turns around a short closed curve, and paths that turn far around

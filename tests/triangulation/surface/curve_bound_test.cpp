@@ -1,5 +1,3 @@
-#include "triangulation/surface/curve_bound.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "tests/support/triangulations.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet::curve_bound_test {
 namespace {
