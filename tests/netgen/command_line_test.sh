@@ -436,7 +436,7 @@ json '^{"file":"dirichlet","sides":18,"ties":0,"side_distances":{"min":1.26765[0
 json '^{"file":"triangulation, a text with cross-ratios","genus":2,' info --json "$triangulation"
 json '^{"file":"polygon, a text of the domain format","genus":3,' info --json "$polygon"
 json '^{"verdict":"VERIFIED","genus":2,"vertices":34,"edges":108,"triangles":72,"largest_circumradius":\[0.49[0-9]*,0.49[0-9]*\],"shortest_edge":\[0.50[0-9]*,0.50[0-9]*\]}$' net s.json --epsilon 0.5 -o x.json --json
-json '"statistics":{"insertions":33,"flips":.*"seconds":{"reading":.*}}}$' net s.json --epsilon 0.5 -o x.json --json --stats
+json '"statistics":{"insertions":33,"removed":.*"seconds":{"reading":.*}}}$' net s.json --epsilon 0.5 -o x.json --json --stats
 json '^{"verdict":"not certified","vertices":34,"triangles":72}$' net s.json --epsilon 0.5 -o x.json --json --no-certify
 json '^{"verdict":"VERIFIED","claim":"systole","geodesics":\[{"length":\[0.5476464113685[0-9]*,' systole s.json --json
 json '^{"verdict":"VERIFIED","claim":"spectrum","up_to":"3","geodesics":\[{' spectrum s.json --up-to 3 --json
