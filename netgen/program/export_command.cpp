@@ -17,7 +17,7 @@
 namespace epsnet::program {
 namespace {
 
-enum class ExportFormat { domain, triangulation, off, vtu, gmsh, edges, json, matrices };
+enum class ExportFormat { domain, triangulation, off, vtu, gmsh, gmsh_glued, medit, mfem, edges, json, matrices };
 
 struct ExportRequest {
   std::string file;
@@ -53,7 +53,11 @@ FileType file_type(ExportFormat format) {
     case ExportFormat::vtu:
       return FileType::vtu;
     case ExportFormat::gmsh:
+    case ExportFormat::gmsh_glued:
       return FileType::msh;
+    case ExportFormat::medit:
+    case ExportFormat::mfem:
+      return FileType::mesh;
     case ExportFormat::json:
     case ExportFormat::matrices:
       return FileType::json;
@@ -71,6 +75,12 @@ std::function<void(const certify::NetDocument&, std::ostream&)> mesh_writer(Expo
       return write_vtu;
     case ExportFormat::gmsh:
       return write_gmsh;
+    case ExportFormat::gmsh_glued:
+      return write_gmsh_glued;
+    case ExportFormat::medit:
+      return write_medit;
+    case ExportFormat::mfem:
+      return write_mfem;
     case ExportFormat::edges:
       return write_edges;
     case ExportFormat::json:
@@ -146,19 +156,23 @@ void add_export_command(CLI::App& app, Job& chosen) {
           "--format", request.format,
           "exact, for CGAL: domain, the polygon of a surface of one tile; triangulation, the triangles of a "
           "net, or the tiles of a surface cut into triangles, with an anchor and cross-ratios. Rounded, of a "
-          "net: off or vtu, one lift of every triangle; gmsh (and data of vtu), the glued surface for finite "
-          "elements; edges, a table of vertices and lengths; json, all of it. Of any file: matrices, generators of "
-          "the group of the surface with their relation, exact and rounded")
+          "net: off or vtu, one lift of every triangle; for finite elements gmsh or medit (FreeFEM), one lift whose "
+          "sides are glued in pairs, mfem, or gmsh-glued, each triangle in coordinates of its own; edges, a table of "
+          "vertices and lengths; json, all of it. Of any file: matrices, generators of the group of the surface with "
+          "their relation, exact and rounded")
       ->required()
       ->transform(one_of<ExportFormat>({{"domain", ExportFormat::domain},
                                         {"triangulation", ExportFormat::triangulation},
                                         {"off", ExportFormat::off},
                                         {"vtu", ExportFormat::vtu},
                                         {"gmsh", ExportFormat::gmsh},
+                                        {"gmsh-glued", ExportFormat::gmsh_glued},
+                                        {"medit", ExportFormat::medit},
+                                        {"mfem", ExportFormat::mfem},
                                         {"edges", ExportFormat::edges},
                                         {"json", ExportFormat::json},
                                         {"matrices", ExportFormat::matrices}}))
-      ->option_text("domain|triangulation|off|vtu|gmsh|edges|json|matrices REQUIRED");
+      ->option_text("domain|triangulation|off|vtu|gmsh|gmsh-glued|medit|mfem|edges|json|matrices REQUIRED");
   add_output(*command, request.output, "the text to write");
   command
       ->add_option("--distance-from", request.distance_from,
@@ -175,6 +189,7 @@ void add_export_command(CLI::App& app, Job& chosen) {
       "  epsnet export s.json --format matrices -o matrices.json\n"
       "  epsnet export s.json --format domain -o polygon.txt\n"
       "  epsnet export net.json --format triangulation -o triangulation.txt\n"
+      "  epsnet export net.json --format medit -o net.mesh\n"
       "  epsnet export net.json --format vtu --distance-from v0 -o net.vtu");
   command->callback([&chosen, shared] { chosen = [shared] { export_file(*shared); }; });
 }
