@@ -117,6 +117,23 @@ void write_vtu_with(const VertexData& data, const certify::NetDocument& net, std
 /// their first darts. They include loops and parallel edges. Throws NetGeometryError.
 void write_edges(const certify::NetDocument& net, std::ostream& out);
 
+/// Writes tab-separated lines "u v left right length": the edges of a surface, each a pair of sides of tiles, in the
+/// order of their first sides: the vertices at both ends, the tiles on both sides, the hyperbolic length, rounded.
+void write_edges(const Surface& surface, std::ostream& out);
+
+/// The nodes of a graph on a surface.
+enum class GraphNodes {
+  vertices,  ///< Joined by edges.
+  faces,     ///< Tiles or triangles, joined where they have an edge in common.
+};
+
+/// Writes the adjacency matrix of the tiles of a surface as a symmetric integer MatrixMarket file: how many edges join
+/// two nodes. A loop counts twice, so sums of rows are degrees.
+void write_adjacency(const Surface& surface, GraphNodes nodes, std::ostream& out);
+
+/// Writes that of the triangles of a net. Throws NetGeometryError.
+void write_adjacency(const certify::NetDocument& net, GraphNodes nodes, std::ostream& out);
+
 /// Writes a JSON object with the lifts, the isometries that glue their sides, and the labels
 /// (docs/exchange-formats.md). Throws NetGeometryError.
 void write_mesh_json(const certify::NetDocument& net, std::ostream& out);

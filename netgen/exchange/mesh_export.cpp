@@ -111,16 +111,6 @@ void write_vtu_with(const VertexData& data, const certify::NetDocument& net, std
   write_vtu_of(net, &data, out);
 }
 
-void write_edges(const certify::NetDocument& net, std::ostream& out) {
-  const NetGeometry geometry(net);
-  out << "u\tv\tlength\n";
-  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
-    if (certify::opposite(net, dart) < dart) continue;
-    out << certify::start(net, dart) << '\t' << certify::start(net, certify::next_dart(dart)) << '\t'
-        << shortest(geometry.edge_length(dart)) << '\n';
-  }
-}
-
 void write_mesh_json(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);

@@ -25,8 +25,11 @@ std::size_t continued_at(std::string_view line) {
   return is_row ? kColumnOfTexts : begin;
 }
 
+/// Whether a line is the head of an option, with its text on the next lines.
+bool is_head(std::string_view line) { return line.starts_with("  -") && line.find("  ", 2) == std::string_view::npos; }
+
 std::string wrapped_line(std::string_view line) {
-  if (line.size() <= kColumns) return std::string(line);
+  if (line.size() <= kColumns || is_head(line)) return std::string(line);
   const std::size_t indent = continued_at(line);
   std::string result(line.substr(0, indent));
   std::size_t column = indent;

@@ -54,6 +54,7 @@ const std::vector<TypeOfFile>& types_of_files() {
       {FileType::npy, {".npy"}, "a NumPy array"},
       {FileType::msh, {".msh"}, "Gmsh's MSH"},
       {FileType::mesh, {".mesh"}, "a mesh of Medit or MFEM"},
+      {FileType::mtx, {".mtx"}, "a MatrixMarket matrix"},
   };
   return types;
 }

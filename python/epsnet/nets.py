@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["Collar", "DistanceTable", "Lifts", "Location", "Net", "Page"]
 
 _COLOURS = ("none", "circumradius", "chart", "distance")
-_FORMATS = ("gmsh", "gmsh-glued", "medit", "mfem", "vtu", "off", "edges", "json", "triangulation")
+_FORMATS = ("gmsh", "gmsh-glued", "medit", "mfem", "vtu", "off", "edges", "adjacency", "face-adjacency", "json", "triangulation")
 _MOST_VERTICES_WITH_DISTANCES = 100_000  # A page would take seconds more beyond; the program has the same limit.
 
 
@@ -464,7 +464,8 @@ class Net(Document):
         """The net in another format, for programs that compute with meshes (docs/exchange-formats.md); written to the path, or returned.
 
         For finite elements (docs/finite-elements.md) "gmsh" and "medit": one lift of each triangle, a planar mesh with its sides glued in
-        pairs; "mfem" and "gmsh-glued": the glued surface. "vtu" and "off": one lift; "edges": a table; "json": all of it; rounded.
+        pairs; "mfem" and "gmsh-glued": the glued surface. "vtu" and "off": one lift; "edges": a table; "adjacency" and "face-adjacency": the
+        matrix of the graph of vertices or triangles, for MatrixMarket; "json": all of it; rounded.
         "triangulation": CGAL's, exactly. ``distance_from``, for "vtu": also the distance of every vertex from this one, as the array
         ``distance`` at points.
         """

@@ -21,6 +21,9 @@ from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, Radius, c
 from .domains import DirichletDomain, FundamentalPolygon
 from .eigenvalues import Eigenvalues, eigenvalues
 from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
+from .graphs import SurfaceGraph, graph_of
+from .groups import FundamentalGroup
+from .intervals import Interval
 from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of
@@ -30,6 +33,9 @@ from .symmetries import IsometryGroup, SurfaceIsometry, isometric_to, isometries
 __all__ = ["Surface"]
 
 _Kind = TypeVar("_Kind")
+
+#: π to 60 digits.
+_PI = Interval("3.14159265358979323846264338327950288419716939937510582097494", "3.14159265358979323846264338327950288419716939937510582097495", proved=True)
 
 
 def _matrix_text(x: Any) -> str:
@@ -48,7 +54,7 @@ class Surface(Immutable):
     >>> import epsnet
     >>> surface = epsnet.Surface.octagon(seed=123)
     >>> surface
-    <Surface of genus 2: 1 tile, 8 sides>
+    <Surface octagon(seed=123), genus 2>
 
     Then ask it: ``net`` for ε-nets; ``systole``, ``spectrum``, ``thick_thin`` for closed geodesics; ``distance``, ``diameter``, ``radius``,
     ``eccentricity``, ``embedded_disk``; ``generators``, ``fundamental_polygon``, ``dirichlet_domain``.
@@ -72,15 +78,17 @@ class Surface(Immutable):
         if any(len(row) != 4 for row in rows):
             refuse("rows of four integers", gluing, "gluing")
         self._core = _epsnet.Surface(polygons, rows)
+        self._name = ""
 
     @classmethod
-    def _of(cls, core: "_epsnet.Surface") -> "Surface":
+    def _of(cls, core: "_epsnet.Surface", name: str = "") -> "Surface":
         surface = cls.__new__(cls)
         surface._core = core
+        surface._name = name
         return surface
 
     @classmethod
-    def octagon(cls, seed: int = 0, *, half: Optional[Sequence[Any]] = None) -> "Surface":
+    def octagon(cls, seed: Optional[int] = None, *, half: Optional[Sequence[Any]] = None) -> "Surface":
         """The random surface of genus 2 of a seed: a symmetric octagon, opposite sides glued; the same on every machine.
 
         With ``half``, four corners z0, z1, z2, z3, the octagon z0, z1, z2, z3, −z0, −z1, −z2, −z3, whose area must be 4π.
@@ -94,7 +102,10 @@ class Surface(Immutable):
             if len(corners) != 4:
                 refuse("four corners", half, "half")
             return cls._of(_epsnet.Surface.symmetric(corners))
-        return cls._of(_epsnet.Surface.octagon(as_index(seed, "seed", -(2**31), 2**31 - 1)))
+        if seed is None:
+            refuse("a seed, as in Surface.octagon(seed=1), or half, four corners", seed, "seed")
+        number = as_index(seed, "seed", -(2**31), 2**31 - 1)
+        return cls._of(_epsnet.Surface.octagon(number), f"octagon(seed={number})")
 
     @classmethod
     def regular(cls, genus: int) -> "Surface":
@@ -102,11 +113,11 @@ class Surface(Immutable):
 
         >>> import epsnet
         >>> epsnet.Surface.regular(2)
-        <Surface of genus 2: the regular 8-gon>
+        <Surface regular(2), genus 2>
         """
         number = as_index(genus, "genus")
         with argument("genus"):
-            return cls._of(_epsnet.Surface.regular(number))
+            return cls._of(_epsnet.Surface.regular(number), f"regular({number})")
 
     @classmethod
     def named(cls, name: str) -> "Surface":
@@ -114,12 +125,12 @@ class Surface(Immutable):
 
         >>> import epsnet
         >>> epsnet.Surface.named("klein")
-        <Surface of genus 3: a map of type {7, 3}>
+        <Surface klein, genus 3>
         """
         if not isinstance(name, str):
             refuse("a string", name, "name")
         with argument("name"):
-            return cls._of(_epsnet.Surface.named(name))
+            return cls._of(_epsnet.Surface.named(name), name)
 
     @classmethod
     def names(cls) -> dict[str, str]:
@@ -205,7 +216,7 @@ class Surface(Immutable):
         >>> import epsnet
         >>> thin = epsnet.Surface.fenchel_nielsen(["1/1000", 1, 2], 0, [(0, 0), (0, 1), (1, 1)])
         >>> thin
-        <Surface of genus 2: 2 tiles, 14 sides>
+        <Surface of 2 tiles, genus 2>
         >>> epsnet.Surface.fenchel_nielsen(lengths=2, twists="1/2", graph="ring", genus=5).genus
         5
         """
@@ -217,7 +228,8 @@ class Surface(Immutable):
         genus = None if genus is None else as_index(genus, "genus")
         seed = None if seed is None else as_index(seed, "seed", 0, 2**64 - 1)
         coordinates = _epsnet.Coordinates(graph, genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
-        return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates))
+        name = f"fenchel_nielsen(genus={genus}, seed={seed})" if lengths is None and twists is None and graph == "random" else ""
+        return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates), name)
 
     @classmethod
     def load(cls, path: Path) -> "Surface":
@@ -235,10 +247,17 @@ class Surface(Immutable):
         self._core.save(name)
 
     def export(self, format: str, path: Optional[Path] = None) -> Optional[str]:
-        """The surface in an exact text format of CGAL: "domain" (one tile) or "triangulation". Written to the path, or returned."""
-        form = as_choice(format, "format", ("domain", "triangulation"))
+        """The surface as a text for other programs; written to the path, or returned (docs/exchange-formats.md).
+
+        Exactly, for CGAL: "domain" (one tile) or "triangulation". The graph of its tiles: "edges", a table of the two vertices, the two tiles and the
+        length of each edge; "adjacency" and "face-adjacency", matrices of the graphs of vertices and of tiles, for MatrixMarket.
+        """
+        form = as_choice(format, "format", ("domain", "triangulation", "edges", "adjacency", "face-adjacency"))
         file = as_optional_path(path)
-        text = self._core.domain_text() if form == "domain" else self._core.triangulation_text()
+        if form == "domain":
+            text = self._core.domain_text()
+        else:
+            text = self._core.triangulation_text() if form == "triangulation" else self._core.graph_text(form)
         if file is None:
             return text
         _epsnet.write_text(text.encode(), file)
@@ -255,6 +274,21 @@ class Surface(Immutable):
     def genus(self) -> int:
         """The genus, at least 2."""
         return self._core.genus
+
+    @property
+    def area(self) -> Interval:
+        """4π(g − 1), in the least interval of floats.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).area
+        <Interval [12.566370614359172, 12.566370614359175]>
+        """
+        return (_PI * (4 * (self.genus - 1))).rounded()
+
+    @property
+    def name(self) -> str:
+        """How it was made here, such as ``"klein"`` or ``"octagon(seed=5)"``; empty, if that is not known. It is not part of the surface."""
+        return self._name
 
     @property
     def about(self) -> str:
@@ -280,6 +314,13 @@ class Surface(Immutable):
         """The number of the side that a side is glued to."""
         return self._core.partner(as_index(side, "side", 0, self._core.side_count - 1))
 
+    def _checked_word(self, word: Iterable[int]) -> list[int]:
+        """The numbers of sides of a path."""
+        letters = as_indices(word, "word")
+        with argument("word"):
+            self._core.enclosed_isometry(letters, 1)  # Whether it is a path.
+        return letters
+
     def reduced(self, word: Iterable[int]) -> tuple[int, ...]:
         """The path with each crossing that is undone at once removed."""
         result: list[int] = []
@@ -298,6 +339,18 @@ class Surface(Immutable):
         Point(0, 1/10, -1/3)
         """
         return Point(as_index(tile, "tile"), as_fraction(x, "x"), as_fraction(y, "y"))
+
+    def graph(self) -> SurfaceGraph:
+        """The graph that the sides of the tiles are on the surface, with its faces, the tiles: of a map or a cover, say, for models on it.
+
+        >>> import epsnet
+        >>> graph = epsnet.Surface.named("klein").graph()
+        >>> graph
+        <SurfaceGraph: 56 vertices, 84 edges, 24 faces>
+        >>> graph.faces[0], graph.edges[0], graph.face_edges[0]
+        ((0, 1, 2, 3, 4, 5, 6), array([0, 1], dtype=uint32), array([0, 1], dtype=uint32))
+        """
+        return graph_of(self._core)
 
     def centre(self, tile: int = 0) -> Point:
         """A point with few digits, strictly inside a tile."""
@@ -380,10 +433,7 @@ class Surface(Immutable):
         >>> epsnet.Surface.octagon(1).element([0, 4]).is_identity()
         True
         """
-        letters = as_indices(word, "word")
-        with argument("word"):
-            self._core.enclosed_isometry(letters, 1)  # Whether it is a path.
-        return Isometry(self, letters)
+        return Isometry(self, self._checked_word(word))
 
     def fundamental_polygon(self) -> FundamentalPolygon:
         """All tiles as one polygon in the coordinates of tile 0, with its side pairings and relations, exactly."""
@@ -400,6 +450,15 @@ class Surface(Immutable):
         <DirichletDomain with 8 sides>
         """
         return DirichletDomain(self, None if p is None else base_point(self._core, p, "p"))
+
+    def fundamental_group(self) -> FundamentalGroup:
+        """The group by generators and relations, with letters for its elements.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).fundamental_group()
+        <FundamentalGroup with 4 generators, 1 relation>
+        """
+        return FundamentalGroup(self)
 
     def cover(
         self, permutations: Optional[Iterable[Iterable[int]]] = None, *, degree: Optional[int] = None, seed: Optional[int] = None
@@ -423,7 +482,7 @@ class Surface(Immutable):
         else:
             sheets = [tuple(as_indices(p, "permutations")) for p in as_items(permutations, "permutations", "permutations")]
         with argument("permutations"):
-            return Surface._of(self._core.cover(sheets))
+            return Surface._of(self._core.cover(sheets), f"cover of degree {len(sheets[0])} of {self.name}" if self.name else "")
 
     def random_sheets(self, degree: int, seed: int) -> list[tuple[int, ...]]:
         """Permutations for ``cover``, drawn uniformly from those of connected covers of this degree with numbered sheets.
@@ -652,17 +711,20 @@ class Surface(Immutable):
         return hash((self.genus, self._core.side_count))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled, (self._core.text(),)
+        return _unpickled, (self._core.text(), self._name)
 
     def __repr__(self) -> str:
-        if self.is_regular:
-            tile = self._core.regular_tile
-            if self._core.is_regular_polygon or tile is None:
-                return f"<Surface of genus {self.genus}: the regular {4 * self.genus}-gon>"
-            p, q = tile
-            return f"<Surface of genus {self.genus}: a map of type {{{p}, {q}}}>"
+        return f"<Surface {self._name or self._kind()}, genus {self.genus}>"
+
+    def _kind(self) -> str:
+        """What its tiles are, in words."""
+        if self._core.is_regular_polygon:
+            return f"regular({self.genus})"
+        if self._core.regular_tile is not None:
+            p, q = self._core.regular_tile
+            return f"that is a map of type {{{p}, {q}}}"
         tiles = len(self._core.tiles)
-        return f"<Surface of genus {self.genus}: {tiles} tile{'' if tiles == 1 else 's'}, {self._core.side_count} sides>"
+        return f"of {tiles} tile{'' if tiles == 1 else 's'}"
 
     def svg(self, size: int = 600) -> str:
         """The tiles, laid out around one of them; sides that are glued to each other have one colour."""
@@ -672,8 +734,8 @@ class Surface(Immutable):
         return self.svg()
 
 
-def _unpickled(text: bytes) -> Surface:
-    return Surface._of(_epsnet.Surface.parse(text, "pickle"))
+def _unpickled(text: bytes, name: str) -> Surface:
+    return Surface._of(_epsnet.Surface.parse(text, "pickle"), name)
 
 
 def _of_kind(found: Any, kind: Type[_Kind]) -> _Kind:

@@ -2,12 +2,13 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import List, Optional, Sequence, Tuple, Union, overload
+from typing import Any, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _epsnet
 from ._annotations import Surface
 from ._arguments import Path, as_index, as_threads, refuse
 from ._documents import Document
+from ._immutable import Immutable
 from ._progress import Progress, Shower
 from .certificates import Certificate, required
 from .errors import UndecidedError
@@ -17,7 +18,7 @@ from .nets import Net
 __all__ = ["IsometryGroup", "IsometryProof", "SurfaceIsometry"]
 
 
-class SurfaceIsometry:
+class SurfaceIsometry(Immutable):
     """An isometry from a surface to another or to itself, as what it does with the group. That it is one is decided exactly."""
 
     def __init__(self, surface: "Surface", target: "Surface", core: Tuple[bool, List[List[int]]]) -> None:
@@ -86,7 +87,7 @@ class IsometryProof(Document):
         return f"<IsometryProof of order {self.order}{'' if self.proved else ' (not proved)'}>"
 
 
-class IsometryGroup(Sequence[SurfaceIsometry]):
+class IsometryGroup(Immutable, Sequence[SurfaceIsometry]):
     """The isometries of a surface; number 0 is the identity.
 
     Each is decided exactly. That there are no others is computed with numbers of 256 bits, until ``proof`` is asked for.
@@ -167,6 +168,17 @@ class IsometryGroup(Sequence[SurfaceIsometry]):
         [[0, 1], [1, 0]]
         """
         return list(self._core.permutation(self._number(i)))
+
+    def __eq__(self, other: object) -> bool:
+        """Whether these are the isometries of equal surfaces."""
+        return isinstance(other, IsometryGroup) and self.surface == other.surface
+
+    def __hash__(self) -> int:
+        return hash(self.surface)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        # The surface says it all; the group is computed anew.
+        return isometries, (self.surface, self._threads, False)
 
     def __repr__(self) -> str:
         name = f" {self.name}" if self.name else ""

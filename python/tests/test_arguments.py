@@ -71,6 +71,7 @@ def calls(octagon, net, bolza):
     spectrum, distance, polygon = octagon.spectrum(2), octagon.distance((0, 0.1, 0), 0), octagon.dirichlet_domain((0, 0, 0))
     group, matrices, pants = octagon.isometries(), bolza.matrices(), octagon.pants()
     curve = pants.cuffs[0].word
+    words = octagon.fundamental_group()
     x, element, table, eigenvalues = Interval(1, 2), octagon.element([0]), net.distances(0), octagon.eigenvalues(1, digits=4)
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
@@ -114,9 +115,10 @@ def calls(octagon, net, bolza):
         (element, dict(z=0j)),
         (Interval, dict(lower=1, upper=2, proved=True)), (x.overlaps, dict(other=x)), (x.rounded, dict(bits=2)), (x.sqrt, dict(bits=2)),
         (x.__pow__, dict(exponent=2)), (x.flint, dict(bits=2)), (Interval.maximum, dict(intervals=[x])), (Interval.minimum, dict(intervals=[x])),
-        (epsnet.ends, dict(intervals=[x])), (Gaussian, dict(re=1, im=1)), (epsnet.ComplexInterval, dict(re=x, im=x)),
+        (epsnet.ends, dict(intervals=[x])), (epsnet.mids, dict(intervals=[x])), (Gaussian, dict(re=1, im=1)), (epsnet.ComplexInterval, dict(re=x, im=x)),
         (epsnet.load, dict(path="none", check=True, progress=False)), (epsnet.certify, dict(path="none", threads=1, progress=False)),
-        (epsnet.map, dict(function=len, surfaces=[], workers=1, progress=False)),
+        (epsnet.map, dict(function=len, surfaces=[], workers=1, on_error="raise", progress=False)), (epsnet.table, dict(found=np.zeros(1, dtype=[("x", float)]))),
+        (words.letters, dict(word=[0])), (words.text, dict(word=element)), (words.element, dict(letters="aB")),
     ]
 
 
@@ -129,8 +131,8 @@ def test_every_wrong_argument_is_named(calls, tmp_path, monkeypatch):
     problems = []
     for function, right in calls:
         for name in right:
-            # A text is right for the name of a file, a title and a relation, and no other number is.
-            for wrong in [Nonsense()] + ([10**30] if name in ("path", "title", "relation") else ["abc"]):
+            # A text is right for the name of a file, a title, a relation and letters, and no other number is.
+            for wrong in [Nonsense()] + ([10**30] if name in ("path", "title", "relation", "letters") else ["abc"]):
                 try:
                     function(**{**right, name: wrong})
                     outcome = "returned"
@@ -178,7 +180,9 @@ def test_the_list_of_calls_is_complete(calls):
         (lambda s, n: s.systole().save("s.epsn"), "path"), (lambda s, n: s.spectrum(1).save("s.epsn"), "path"),
         (lambda s, n: Surface([[1]], []), "tiles"), (lambda s, n: Surface(s.tiles, [(0, 0)]), "gluing"), (lambda s, n: s.octagon(half=[0]), "half"),
         (lambda s, n: Surface.fenchel_nielsen(1, 0, [(0, "1")]), "graph"), (lambda s, n: s.element([0]).sl2r(kind="float"), "kind"),
-        (lambda s, n: Interval(1, 2) ** 0.5, "exponent"),
+        (lambda s, n: Interval(1, 2) ** 0.5, "exponent"), (lambda s, n: s.octagon(), "seed"),
+        (lambda s, n: s.fundamental_group().element("az"), "letters"), (lambda s, n: s.fundamental_group().element([0]), "letters"),
+        (lambda s, n: s.fundamental_group().letters([99]), "word"),
     ],
 )
 def test_errors_name_the_argument(octagon, net, make, place):
