@@ -11,6 +11,7 @@
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
+#include "certify/claims/pants/document.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/dirichlet_polygon.h"
@@ -70,8 +71,9 @@ struct PolygonPicture {
 /// polygon.
 [[nodiscard]] PolygonPicture picture_of(const DirichletPolygon& polygon);
 
-/// Returns the picture of the tiles of a surface, laid out around a tile as a tree, with the middle of all in the
-/// centre. Sides have their numbers on the surface, which are the letters of words.
+/// Returns the picture of the tiles of a surface, laid out around tile 0, the nearest first; regular tiles with the
+/// centre of tile 0 in the centre, others with the middle of all corners. Sides that are glued where they lie are
+/// inside. The others have their numbers on the surface, which are the letters of words.
 [[nodiscard]] PolygonPicture picture_of(const Surface& surface);
 
 /// The following have a Dirichlet domain, with its base point in the centre. If it cannot be made, or the genus is more
@@ -83,6 +85,9 @@ struct PolygonPicture {
 /// Returns the picture of the geodesics of a geodesics file, cut by the domain; the centre is a point of the first one.
 /// At most 200 are drawn, the shortest.
 [[nodiscard]] PolygonPicture picture_of(const certify::GeodesicsDocument& geodesics);
+
+/// Returns the picture of the cuffs of a pants file, cut by the domain of the surface's default point; at most 200.
+[[nodiscard]] PolygonPicture picture_of(const certify::PantsDocument& pants);
 
 /// Returns the picture of where the bounds of a diameter, a radius or an embedded disk are attained. For a diameter the
 /// vertex of the file is in the centre, with the points farthest from it and the segments there; for a radius the disk

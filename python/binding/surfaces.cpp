@@ -74,8 +74,11 @@ void bind_kinds(SurfaceClass& bound) {
           },
           py::arg("degree"), py::arg("seed"))
       .def_static(
-          "named", [](const std::string& name) { return interruptible([=] { return named_surface(name); }); },
-          py::arg("name"))
+          "named",
+          [](const std::string& name, std::optional<std::uint32_t> genus) {
+            return interruptible([=] { return named_surface(name, genus); });
+          },
+          py::arg("name"), py::arg("genus"))
       .def_static("names",
                   [] {
                     std::vector<std::pair<std::string, std::string>> result;

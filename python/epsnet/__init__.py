@@ -40,7 +40,7 @@ except ImportError as error:
 
 from . import errors
 from .certificates import Certificate, Rule
-from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, Radius
+from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius
 from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
 from .eigenvalues import Eigenfunction, EigenvalueEnclosure, Eigenvalues
 from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
@@ -63,6 +63,6 @@ __all__ = [
     "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Cuff", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
     "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
-    "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole",
+    "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole",
     "ThickThin", "UndecidedError", "certify", "ends", "errors", "load", "mids", "table",
 ]

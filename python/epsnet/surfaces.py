@@ -17,7 +17,7 @@ from ._arguments import (
 from ._documents import Document, read
 from ._immutable import Immutable
 from ._progress import Progress
-from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, Radius, cover, distance, eccentricity
+from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
 from .eigenvalues import Eigenvalues, eigenvalues
 from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
@@ -26,7 +26,7 @@ from .groups import FundamentalGroup
 from .intervals import Interval
 from .isometries import Gaussian, Isometry
 from .nets import Net
-from .points import Point, PointLike, base_point, point_of
+from .points import Point, PointLike, base_point, point_of, random_points
 from .pants import PantsDecomposition, dehn_twist, dehn_twist_words, pants, twist
 from .symmetries import IsometryGroup, SurfaceIsometry, isometric_to, isometries
 
@@ -120,8 +120,8 @@ class Surface(Immutable):
             return cls._of(_epsnet.Surface.regular(number), f"regular({number})")
 
     @classmethod
-    def named(cls, name: str) -> "Surface":
-        """A surface that has a name, exactly: those of ``Surface.names()``, such as ``"klein"`` or ``"wiman-7"``.
+    def named(cls, name: str, genus: Optional[int] = None) -> "Surface":
+        """A surface that has a name, exactly: those of ``Surface.names()``, such as ``"klein"`` or ``"wiman-7"``, also as ``"wiman", 7``.
 
         >>> import epsnet
         >>> epsnet.Surface.named("klein")
@@ -129,8 +129,10 @@ class Surface(Immutable):
         """
         if not isinstance(name, str):
             refuse("a string", name, "name")
+        number = None if genus is None else as_index(genus, "genus", 2)
         with argument("name"):
-            return cls._of(_epsnet.Surface.named(name), name)
+            core = _epsnet.Surface.named(name, number)
+        return cls._of(core, name if genus is None or name.endswith(f"-{number}") or name in cls.names() else f"{name}-{number}")
 
     @classmethod
     def names(cls) -> dict[str, str]:
@@ -210,7 +212,7 @@ class Surface(Immutable):
         hyperbolic length, too. One number stands for all edges.
 
         ``graph``: edges, as [(0, 1), (0, 1), (0, 1)] or "0-1 0-1 0-1", of which the nodes are the pairs of pants; or "chain", "ring", "tree",
-        "random" with a genus. Missing values are drawn with the seed. Exact: lengths and twists of the surface differ from those asked for
+        "random" with a genus; the default for genus 2, where lengths and twists are given, is "theta", 0-1 0-1 0-1. Missing values are drawn with the seed. Exact: lengths and twists of the surface differ from those asked for
         by a factor within 1 ± 2⁻⁵⁰ (docs/fenchel-nielsen.md).
 
         >>> import epsnet
@@ -221,14 +223,14 @@ class Surface(Immutable):
         5
         """
         if graph is None:
-            graph = "random"
+            graph = ""
         if not isinstance(graph, str):
             edges = as_items(graph, "graph", "a name or edges")
             graph = " ".join("-".join(map(str, as_indices(edge, "graph"))) for edge in edges)
         genus = None if genus is None else as_index(genus, "genus")
         seed = None if seed is None else as_index(seed, "seed", 0, 2**64 - 1)
         coordinates = _epsnet.Coordinates(graph, genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
-        name = f"fenchel_nielsen(genus={genus}, seed={seed})" if lengths is None and twists is None and graph == "random" else ""
+        name = f"fenchel_nielsen(genus={genus}, seed={seed})" if lengths is None and twists is None and graph in ("", "random") else ""
         return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates), name)
 
     @classmethod
@@ -355,6 +357,56 @@ class Surface(Immutable):
     def centre(self, tile: int = 0) -> Point:
         """A point with few digits, strictly inside a tile."""
         return point_of(base_point(self._core, as_index(tile, "tile"), "tile"))
+
+    def random_points(self, n: int, seed: int) -> list[Point]:
+        """n points that are independent and uniformly distributed by area; the coordinates are floats.
+
+        >>> import epsnet
+        >>> len(epsnet.Surface.octagon(1).random_points(10, seed=1))
+        10
+        """
+        return random_points(self._core, as_index(n, "n", 0, 10**8), as_index(seed, "seed", 0, 2**64 - 1))
+
+    def exponential(self, p: PointLike, direction: float, length: Number) -> Point:
+        """The end of the geodesic of this length (at most 300) that leaves p in a direction, the angle with the x-axis in the disk of the tile
+        of p. Rounded to multiples of 2⁻¹⁰⁰, not proved.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(1)
+        >>> q = surface.exponential(surface.centre(), 0.5, "0.1")
+        >>> surface.distance(surface.centre(), q).overlaps(epsnet.Interval("0.0999999999", "0.1000000001"))
+        True
+        """
+        size = as_fraction(length, "length")
+        if not 0 <= size <= 300:
+            refuse("a length from 0 to 300", length, "length")
+        return point_of(_epsnet.point_along(self._core, base_point(self._core, p, "p"), float(as_fraction(direction, "direction")), float(size)))
+
+    def loops_at(self, p: PointLike, up_to: Number) -> list[PointLoop]:
+        """The geodesic loops at p that are at most this long, up to their direction, the shortest first; p must be strictly inside its tile.
+
+        The length of each is proved; that there are no others is computed with 1024 bits.
+
+        >>> import epsnet
+        >>> bolza = epsnet.Surface.regular(2)
+        >>> [f"{loop.length:.6f}" for loop in bolza.loops_at(bolza.centre(), 4)]
+        ['[3.057141, 3.057142]', '[3.057141, 3.057142]', '[3.057141, 3.057142]', '[3.057141, 3.057142]']
+        """
+        length = as_fraction(up_to, "up_to")
+        base = base_point(self._core, p, "p")
+        with argument("p"):
+            found = _epsnet.loops_at(self._core, base, float(length))
+        return [PointLoop(Isometry(self, self.reduced(word)), base) for word, _ in found]
+
+    def injectivity_radius(self, p: PointLike) -> Interval:
+        """Half the length of a shortest loop at p, in a proved interval; p must be strictly inside its tile (docs/distances.md).
+
+        >>> import epsnet
+        >>> bolza = epsnet.Surface.regular(2)
+        >>> bolza.injectivity_radius(bolza.centre())
+        <Interval [1.5285709194809975, 1.5285709194809987]>
+        """
+        return injectivity_radius(self, p)
 
     @cached_property
     def _tile_of(self) -> list[int]:

@@ -11,9 +11,10 @@ from ._documents import Document
 from ._immutable import Immutable
 from ._progress import Progress, Shower
 from .certificates import Certificate, required
-from .errors import UndecidedError
+from .errors import NetError, UndecidedError
 from .isometries import Isometry
 from .nets import Net
+from .points import Point, point_of
 
 __all__ = ["IsometryGroup", "IsometryProof", "SurfaceIsometry"]
 
@@ -158,6 +159,24 @@ class IsometryGroup(Immutable, Sequence[SurfaceIsometry]):
     def fixed_points(self, i: int) -> Optional[int]:
         """How many points isometry i fixes; None for the identity, and for those that reverse the orientation: they may fix curves."""
         return self._core.fixed_points(self._number(i))
+
+    def fixed_point_list(self, i: int) -> List[Point]:
+        """The points that isometry i fixes, which is not the identity and preserves the orientation, rounded to multiples of 2⁻¹⁰⁰: the
+        Weierstrass points, if it is a hyperelliptic involution. NetError unless they are as many as ``fixed_points`` says.
+
+        >>> import epsnet
+        >>> group = epsnet.Surface.octagon(1).isometries()
+        >>> len(group.fixed_point_list(1)) == group.fixed_points(1) == 6
+        True
+        """
+        expected = self.fixed_points(i)
+        if expected is None:
+            refuse("an isometry other than the identity that preserves the orientation", i, "i")
+        words = [generator.word for generator in self.surface.fundamental_polygon().generators()]
+        found = _epsnet.fixed_points(self.surface._core, words, self[i].words)
+        if len(found) != expected:
+            raise NetError(f"isometry {i} fixes {expected} points, but {len(found)} are found with 1024 bits")
+        return [point_of(point) for point in found]
 
     def permutation(self, i: int) -> List[int]:
         """Isometry i as a permutation of the numbers of isometries, by product from the left: for SymPy or GAP.

@@ -231,6 +231,23 @@ def test_the_graph_of_the_tiles(octagon, pants, bolza):
     assert networkx.diameter(networkx.Graph(klein.graph().face_edges.tolist())) == 3
 
 
+def test_lists_of_coordinates_have_a_graph():
+    lists = [1, 2, 3], [0, "1/2", 0]
+    theta = Surface.fenchel_nielsen(*lists)
+    assert theta == Surface.fenchel_nielsen(*lists, "theta") == Surface.fenchel_nielsen(*lists, "0-1 0-1 0-1") != Surface.fenchel_nielsen(*lists, "chain")
+    assert Surface.fenchel_nielsen(*lists, seed=1) == Surface.fenchel_nielsen(*lists, "random", seed=1)
+    assert Surface.fenchel_nielsen(6 * [1], 0, "ring").genus == 3
+    with pytest.raises(epsnet.EpsnetError, match="^graph: needed for these lengths and twists: chain, ring, tree"):
+        Surface.fenchel_nielsen(6 * [1], 0)
+
+
+def test_families_take_a_genus():
+    seven = Surface.named("wiman", 7)
+    assert seven == Surface.named("wiman-7") and seven.name == "wiman-7" and Surface.named("klein", 3).name == "klein"
+    with pytest.raises(epsnet.SurfaceError, match="wiman is a family, expected a genus as well, as in wiman-7"):
+        Surface.named("wiman")
+
+
 def test_names_and_areas(octagon, tmp_path):
     klein = Surface.named("klein")
     names = {

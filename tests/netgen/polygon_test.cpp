@@ -13,8 +13,10 @@
 #include "netgen/distances/distances.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/pants/pants.h"
 #include "netgen/pictures/palette.h"
 #include "netgen/pictures/pictures.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
@@ -45,6 +47,19 @@ void expect_paired_polygon(const PolygonPicture& picture, const std::string& nam
     ASSERT_LT(side.partner, n) << name;
     EXPECT_EQ(picture.sides[side.partner].partner, k) << name;
     EXPECT_NEAR(length_of(side.ends), length_of(picture.sides[side.partner].ends), 1e-6) << name;
+  }
+}
+
+/// Cuffs are drawn with their lengths.
+TEST(PolygonPicture, CuffsHaveTheirLengths) {
+  for (const Surface& surface :
+       {random_octagon(5), fenchel_nielsen_surface(random_coordinates(PantsGraph::ring(3), 1))}) {
+    const PantsDecomposition pants = pants_decomposition(surface);
+    const PolygonPicture picture = picture_of(pants.document);
+    EXPECT_TRUE(picture.left_out.empty());
+    ASSERT_EQ(picture.curves.size(), pants.cuffs.size());
+    for (std::size_t e = 0; e < pants.cuffs.size(); ++e)
+      EXPECT_NEAR(length_of(picture.curves[e]), pants.cuffs[e].length.upper, 1e-9);
   }
 }
 
