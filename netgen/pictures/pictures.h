@@ -63,8 +63,8 @@ struct PolygonPicture {
 };
 
 /// Returns the picture as SVG, `size` pixels wide and high (50 to 20000), with a legend. Sides that are glued to each
-/// other have one colour, and their labels, but for sides shorter than a label; sides, curves and marks do not become
-/// thinner towards the circle.
+/// other have one colour, and their labels, but for sides shorter than a label and labels that would lie on others;
+/// sides, curves and marks do not become thinner towards the circle.
 [[nodiscard]] std::string draw_svg(const PolygonPicture& picture, std::uint32_t size = 1000);
 
 /// Returns the picture of a Dirichlet domain with its base point in the centre. Sides have their numbers in the
@@ -82,8 +82,8 @@ struct PolygonPicture {
 /// Returns the picture of all paths of a distance file, from p in the centre to q.
 [[nodiscard]] PolygonPicture picture_of(const certify::DistanceDocument& distance);
 
-/// Returns the picture of the geodesics of a geodesics file, cut by the domain; the centre is a point of the first one.
-/// At most 200 are drawn, the shortest.
+/// Returns the picture of the geodesics of a geodesics file, cut by the domain; the centre is a point of the first one
+/// that is not very short. At most 200 are drawn, the shortest.
 [[nodiscard]] PolygonPicture picture_of(const certify::GeodesicsDocument& geodesics);
 
 /// Returns the picture of the cuffs of a pants file, cut by the domain of the surface's default point; at most 200.

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iomanip>
 #include <optional>
 #include <queue>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -159,12 +161,16 @@ TileId tile_of(const certify::GeodesicsDocument& document, const certify::Geodes
   return TileId(document.net.charts[document.net.vertices[geodesic.vertex].chart].tile);
 }
 
-/// A point of the first geodesic; the surface's default if it cannot be told.
-std::optional<BasePoint> point_of_first(const Surface& surface, const certify::GeodesicsDocument& document) {
-  if (document.geodesics.empty()) return std::nullopt;
-  const auto line = axis_of(isometry_of(surface, word_of_letters(document.geodesics[0].word)));
-  if (!line) return std::nullopt;
-  return rounded_point(surface, tile_of(document, document.geodesics[0]), line->place);
+/// A point of the first geodesic that is not so short that the domain of its points is but a line; the centre of a tile
+/// if there is none.
+BasePoint point_of_first(const Surface& surface, const certify::GeodesicsDocument& document) {
+  constexpr double kShort = 0.2;
+  for (const auto& geodesic : document.geodesics) {
+    if (geodesic.length.lower < kShort) continue;
+    if (const auto line = axis_of(isometry_of(surface, word_of_letters(geodesic.word))))
+      return rounded_point(surface, tile_of(document, geodesic), line->place);
+  }
+  return centre_of_tile(surface, TileId(0));
 }
 
 /// The segments in a domain of the closed geodesic of a path that begins in a tile; nullopt if they are too many.
@@ -179,6 +185,14 @@ std::optional<std::vector<Segment>> segments_of(const Domain& domain, TileId til
 // Colours of curves, one after the other.
 constexpr std::array<const char*, 6> kColours{palette::kGeodesics,      palette::kPaths,        palette::kCoveringDisks,
                                               palette::kEpsilonCollars, palette::kPackingDisks, palette::kEdges};
+
+/// A length for a legend.
+std::string length_text(double length) {
+  if (length >= 0.001) return fixed(length, 4);
+  std::ostringstream out;
+  out << std::setprecision(3) << length;
+  return out.str();
+}
 
 /// A path around a cuff of a pants file.
 Word word_of_cuff(const certify::PantsDocument& document, const certify::PantsDocument::Cuff& cuff) {
@@ -198,7 +212,7 @@ void add_cuffs(PolygonPicture& result, const Domain& domain, const certify::Pant
   const bool is_each_named = document.cuffs.size() <= kColours.size();
   for (std::size_t e = 0; e < std::min(document.cuffs.size(), kMost); ++e) {
     const certify::PantsDocument::Cuff& cuff = document.cuffs[e];
-    const std::string name = "cuff " + std::to_string(e) + ", of length " + fixed(cuff.length.upper, 4);
+    const std::string name = "cuff " + std::to_string(e) + ", of length " + length_text(cuff.length.upper);
     if (is_each_named || e == 0) {
       result.curves.push_back({is_each_named ? name : std::to_string(document.cuffs.size()) + " cuffs",
                                kColours[is_each_named ? e : 0],
@@ -219,8 +233,8 @@ std::string cluster_name(const certify::GeodesicsDocument& document, std::size_t
   const auto middle = [&](std::size_t i) {
     return (document.geodesics[i].length.lower + document.geodesics[i].length.upper) / 2;
   };
-  const std::string from = fixed(middle(first), 4);
-  const std::string to = fixed(middle(first + count - 1), 4);
+  const std::string from = length_text(middle(first));
+  const std::string to = length_text(middle(first + count - 1));
   return (count == 1 ? "closed geodesic of length " : std::to_string(count) + " closed geodesics of length ") + from +
          (from == to ? "" : " to " + to);
 }
@@ -284,19 +298,20 @@ TileTree nearest_tiles_first(const Surface& surface) {
     return surface.is_regular() ? Point{} : convert<Mp1024>(centre_of_tile(surface, tile).z);
   };
   const Point middle = centre(TileId(0));
-  // Equal distances, up to rounding, are in the order in which they are found.
-  using Candidate = std::tuple<double, std::uint32_t, SideId>;
+  // Of equal distances, up to rounding, first those that are as many steps around their tiles, which keeps symmetries.
+  using Candidate = std::tuple<double, std::uint32_t, std::uint32_t, SideId>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
   std::uint32_t found = 0;
   const auto beyond = [&](SideId side) {
     return normalized(*tree.place[surface.tile_of_side(side)] * inverse(surface.crossing_as<Mp1024>(side)));
   };
   const auto add_sides = [&](TileId tile) {
-    for (const SideId side : surface.sides_of(tile)) {
+    SideId side = tree.entry[tile].value_or(surface.side_number(tile, 0));
+    for (std::uint32_t steps = 0; steps < surface.tile(tile).size(); ++steps, side = surface.next_side(side)) {
       const TileId next = surface.tile_of_side(surface.partner(side));
       if (tree.place[next]) continue;
       const auto far = distance(middle, beyond(side)(centre(next))).convert_to<double>();
-      candidates.emplace(std::round(far * 1e9), found++, side);
+      candidates.emplace(std::round(far * 1e9), steps, found++, side);
     }
   };
   tree.place[TileId(0)] = Isometry<Mp1024>{};
