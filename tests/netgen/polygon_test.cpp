@@ -194,6 +194,8 @@ TEST(PolygonPicture, OfClosedGeodesicsHasThemInFullLength) {
     EXPECT_TRUE(picture.left_out.empty()) << named.name;
     ASSERT_EQ(picture.curves.size(), 1U) << named.name;
     EXPECT_NEAR(length_of(picture.curves[0]), document.geodesics[0].length.lower, 1e-9) << named.name;
+    // A point of a very short one would have a domain like a line.
+    if (document.geodesics[0].length.lower < 0.2) continue;
     // The centre is a point of it, and no other lift of the point is nearer than its ends.
     double nearest = 1;
     for (const PolygonPicture::Segment& segment : picture.curves[0].segments) {
