@@ -8,6 +8,10 @@ END {
   section = "about"
   for (i = 1; i <= NR; ++i) {
     l = line[i]
+    while (l ~ /^  -.*\|$/) {  # A head with many choices goes on.
+      more = line[++i]
+      l = l trim(more)
+    }
     if (l ~ /^Usage: /) {
       row("usage", "", substr(l, 8))
     } else if (l ~ /^(Positionals|Options):$/) {

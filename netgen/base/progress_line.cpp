@@ -1,42 +1,79 @@
 #include "netgen/base/progress_line.h"
 
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <unistd.h>
 #include <utility>
 
 namespace epsnet {
+namespace {
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
+constexpr std::chrono::milliseconds kOnTerminal{200};
+constexpr std::chrono::seconds kLines{10};
+
+std::string time_text(std::chrono::seconds time) {
+  const auto seconds = time.count();
+  if (seconds < 120) return std::to_string(seconds) + " s";
+  return std::to_string(seconds / 60) + " min " + std::to_string(seconds % 60) + " s";
+}
+
+}  // namespace
+
+ProgressOutput& progress_output() {
+  static ProgressOutput output;
+  return output;
+}
+
+void ProgressText::set(std::string_view text, double share) {
+  text_ = text;
+  fell_ = fell_ || share < share_;
+  share_ = share;
+}
+
+std::string ProgressText::after(std::chrono::seconds elapsed) const {
+  std::string result = text_;
+  if (!fell_ && share_ > 0) result += ", " + std::to_string(static_cast<int>(100 * share_)) + " %";
+  return result + ", " + time_text(elapsed);
+}
+
+ProgressLine::ProgressLine(std::string_view what) : terminal_(isatty(STDERR_FILENO) != 0) {
+  text_.set(what, 0);
+  if (terminal_ || progress_output().lines) thread_ = std::thread([this] { run(); });
+}
 
 ProgressLine::~ProgressLine() {
-  if (shown_once_) std::fprintf(stderr, "\r%64s\r", "");
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    is_ended_ = true;
+  }
+  ended_.notify_one();
+  thread_.join();
+}
+
+void ProgressLine::run() {
+  std::unique_lock lock(mutex_);
+  std::size_t width = 0;
+  const auto is_ended = [this] { return is_ended_; };
+  auto next = began_ + (terminal_ ? std::chrono::seconds(1) : kLines);
+  while (!ended_.wait_until(lock, next, is_ended)) {
+    const auto elapsed = std::chrono::steady_clock::now() - began_;
+    const std::string line = text_.after(std::chrono::duration_cast<std::chrono::seconds>(elapsed));
+    if (terminal_) {
+      std::fprintf(stderr, "\r%-*s", static_cast<int>(width), line.c_str());
+      width = line.size();
+      next += kOnTerminal;
+    } else {
+      std::fprintf(stderr, "%s\n", line.c_str());
+      next += kLines;
+    }
+  }
+  if (width > 0) std::fprintf(stderr, "\r%*s\r", static_cast<int>(width), "");
 }
 
 void ProgressLine::show(std::string_view text, double share) {
-  const auto now = std::chrono::steady_clock::now();
-  if (share < share_ || share <= 0) {
-    began_ = now;
-    began_share_ = share;
-  }
-  share_ = share;
-  if (!terminal_ || now - shown_ < std::chrono::milliseconds(shown_once_ ? 200 : 1000)) return;
-  shown_ = now;
-  shown_once_ = true;
-  std::fprintf(stderr, "\r%-40s %3.0f %%%-18s", std::string(text).c_str(), 100 * share, time_left(now).c_str());
-}
-
-std::string ProgressLine::time_left(std::chrono::steady_clock::time_point now) const {
-  const std::chrono::duration<double> elapsed = now - began_;
-  const double done = share_ - began_share_;
-  if (done < 0.02 || elapsed.count() < 1) return "";
-  const double seconds = std::ceil(elapsed.count() * (1 - share_) / done);
-  if (seconds > 1e6) return "";
-  const auto whole = static_cast<std::uint64_t>(seconds);
-  return whole < 100 ? ", " + std::to_string(whole) + " s left"
-                     : ", " + std::to_string((whole + 59) / 60) + " min left";
+  const std::lock_guard lock(mutex_);
+  text_.set(text, share);
 }
 
 Progress ProgressLine::shower(std::string prefix) {

@@ -1,38 +1,63 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "netgen/base/options.h"
 
 namespace epsnet {
 
-/// Shows progress on a terminal, and, after the first second, the remaining time at the present pace. The destructor
-/// clears the line.
+/// Where progress is shown.
+struct ProgressOutput {
+  bool lines = false;  ///< Without a terminal a line every ten seconds on standard error (--progress).
+};
+
+/// The output of this process, which the command line sets.
+[[nodiscard]] ProgressOutput& progress_output();
+
+/// What a line of progress says: what is being done, how much of it, and since when. How much is a share that never
+/// falls: once a computation has begun a second part, the share of a part is not that of the whole, and is left out.
+class ProgressText {
+ public:
+  void set(std::string_view text, double share);
+  [[nodiscard]] std::string after(std::chrono::seconds elapsed) const;
+
+ private:
+  std::string text_;
+  double share_ = 0;
+  bool fell_ = false;
+};
+
+/// Shows progress: on a terminal in one line, from the first second on; without one as ProgressOutput says. It is
+/// written anew as time passes, also while a computation says nothing. The destructor ends that and clears the line.
 class ProgressLine {
  public:
-  ProgressLine();
+  /// `what` is shown until the computation says what it does.
+  explicit ProgressLine(std::string_view what = "working");
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
+  /// Says what is being done, and which share of it is.
   void show(std::string_view text, double share);
 
   /// Returns a function that shows progress on this line, which must outlive it. `prefix` comes before its text.
   [[nodiscard]] Progress shower(std::string prefix = "");
 
  private:
-  [[nodiscard]] std::string time_left(std::chrono::steady_clock::time_point now) const;
+  void run();
 
-  bool terminal_;
-  bool shown_once_ = false;
-  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
-  // When, and with which share, the current step began: a share that is smaller than the last one, or 0, begins a new
-  // step.
-  std::chrono::steady_clock::time_point began_ = shown_;
-  double began_share_ = 0;
-  double share_ = 0;
+  const bool terminal_;
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool is_ended_ = false;
+  ProgressText text_;
+  std::thread thread_;
 };
 
 }  // namespace epsnet

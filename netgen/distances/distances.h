@@ -181,4 +181,28 @@ void write_npy(const DistanceTable& table, TableEntries entries, std::ostream& o
 /// upper. Reals have enough digits to read back the same.
 void write_csv(const DistanceTable& table, TableEntries entries, std::ostream& out);
 
+// What elements of the group do with points. Nothing here is proved: numbers have 1024 bits, and are rounded once.
+
+/// A geodesic loop at a point, up to its direction.
+struct PointLoop {
+  Word word;      ///< A closed path from the tile of the point that is homotopic to it.
+  double length;  ///< Rounded to nearest.
+};
+
+/// Returns the geodesic loops at a point that are at most this long, the shortest first. Throws SurfaceError if the
+/// point is not strictly inside its tile, LimitError for more than 200,000. O(loops · sides of the Dirichlet domain).
+[[nodiscard]] std::vector<PointLoop> loops_at(const Surface& surface, const BasePoint& point, double up_to);
+
+/// Returns the end of the geodesic of some length that leaves a point in a direction, the angle with the x-axis in the
+/// disk of its tile, with coordinates that are multiples of 2⁻¹⁰⁰, in the tile where it ends. Requires: the length is
+/// from 0 to 300. Throws SurfaceError if that is more than 100,000 tiles away.
+[[nodiscard]] BasePoint point_along(const Surface& surface, const BasePoint& from, double direction, double length);
+
+/// Returns the points that an isometry f other than the identity leaves where they are, which preserves the orientation
+/// and is given by a lift with f∘γ∘f⁻¹ = γ′ for the elements γ of `words` and γ′ of `images`, paths from tile 0 to
+/// itself; the elements γ have two axes at least. Coordinates are multiples of 2⁻¹⁰⁰. Throws LimitError if that takes
+/// more than 200,000 elements.
+[[nodiscard]] std::vector<BasePoint> fixed_points(const Surface& surface, const std::vector<Word>& words,
+                                                  const std::vector<Word>& images);
+
 }  // namespace epsnet

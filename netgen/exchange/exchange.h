@@ -79,15 +79,29 @@ void write_triangulation(const certify::NetDocument& net, std::ostream& out);
 void write_off(const certify::NetDocument& net, std::ostream& out);
 
 /// Writes VTK's XML format of unstructured grids, as text: the same lifts, with the circumradius and number of every
-/// triangle and the number of every vertex. For finite elements the cells also describe the glued surface: each cell
-/// has the net vertices of its corners, and its own coordinates (NetGeometry::centred_corners). Throws
-/// NetGeometryError.
+/// triangle and the number of every vertex and the weight of the metric there. For finite elements the cells also
+/// describe the glued surface: each cell has the net vertices of its corners, and its own coordinates
+/// (NetGeometry::centred_corners). Throws NetGeometryError.
 void write_vtu(const certify::NetDocument& net, std::ostream& out);
 
-/// Writes Gmsh's format MSH 2.2, as text: the glued surface for finite elements. The nodes are the vertices of the net,
-/// each once, at the position of a drawn lift. The geometry is in each element's own coordinates, the data `corners`
-/// (NetGeometry::centred_corners, as three points). Throws NetGeometryError.
+/// Writes Gmsh's format MSH 4.1, as text: one lift of every triangle as a planar mesh. The lines on its boundary have
+/// the number of their side, from 1 on; `$Periodic` says which sides are glued; nodes have the data `weight`, the
+/// factor 4/(1 - |z|²)² of the metric, and `vertex`. Throws NetGeometryError.
 void write_gmsh(const certify::NetDocument& net, std::ostream& out);
+
+/// Writes MSH 2.2 of the glued surface: the nodes are the vertices of the net, each once, all at 0, since no places fit
+/// all triangles. The geometry is in each element's own coordinates, the data `corners` (NetGeometry::centred_corners,
+/// as three points). Throws NetGeometryError.
+void write_gmsh_glued(const certify::NetDocument& net, std::ostream& out);
+
+/// Writes Medit's format, for FreeFEM: the same planar mesh as write_gmsh. Edges on its boundary are labelled by side,
+/// vertices by the vertex of the net, both from 1 on. Throws NetGeometryError.
+void write_medit(const certify::NetDocument& net, std::ostream& out);
+
+/// Writes MFEM's mesh format 1.0: the glued surface, with discontinuous nodes, the corners of one lift of every
+/// triangle. Throws NetGeometryError; ExchangeError if an edge is a loop or two edges have the same ends, since MFEM
+/// knows edges by their ends.
+void write_mfem(const certify::NetDocument& net, std::ostream& out);
 
 /// A number for each vertex of a net.
 struct VertexData {
@@ -102,6 +116,23 @@ void write_vtu_with(const VertexData& data, const certify::NetDocument& net, std
 /// Writes tab-separated lines "u v length": the edges of the surface with their hyperbolic lengths, in the order of
 /// their first darts. They include loops and parallel edges. Throws NetGeometryError.
 void write_edges(const certify::NetDocument& net, std::ostream& out);
+
+/// Writes tab-separated lines "u v left right length": the edges of a surface, each a pair of sides of tiles, in the
+/// order of their first sides: the vertices at both ends, the tiles on both sides, the hyperbolic length, rounded.
+void write_edges(const Surface& surface, std::ostream& out);
+
+/// The nodes of a graph on a surface.
+enum class GraphNodes {
+  vertices,  ///< Joined by edges.
+  faces,     ///< Tiles or triangles, joined where they have an edge in common.
+};
+
+/// Writes the adjacency matrix of the tiles of a surface as a symmetric integer MatrixMarket file: how many edges join
+/// two nodes. A loop counts twice, so sums of rows are degrees.
+void write_adjacency(const Surface& surface, GraphNodes nodes, std::ostream& out);
+
+/// Writes that of the triangles of a net. Throws NetGeometryError.
+void write_adjacency(const certify::NetDocument& net, GraphNodes nodes, std::ostream& out);
 
 /// Writes a JSON object with the lifts, the isometries that glue their sides, and the labels
 /// (docs/exchange-formats.md). Throws NetGeometryError.

@@ -1,7 +1,4 @@
-#include <algorithm>
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -10,7 +7,7 @@
 #include "certify/base/text.h"
 #include "certify/net/darts.h"
 #include "kernel/plane.h"
-#include "netgen/base/disjoint_sets.h"
+#include "netgen/exchange/drawn_mesh.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"
 
@@ -18,71 +15,6 @@ namespace epsnet {
 namespace {
 
 using certify::shortest;
-
-/// The drawn lifts with common corners identified.
-struct Mesh {
-  struct Point {
-    Complex<double> place;
-    std::uint32_t vertex;
-  };
-  std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< In the order of the document.
-  std::vector<bool> on_boundary;                        ///< By dart.
-};
-
-Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
-  const std::vector<certify::NetDocument::Triangle>& triangles = geometry.document().triangles;
-  Mesh result;
-  result.on_boundary = boundary_darts(geometry, lifts);
-  // Corners, numbered by the darts that start there, are identified across edges inside the drawing.
-  DisjointSets corners(3 * triangles.size());
-  for (std::uint32_t dart = 0; dart < corners.size(); ++dart) {
-    if (result.on_boundary[dart]) continue;
-    const std::uint32_t other = triangles[dart / 3].opposite[dart % 3];
-    corners.join(dart, certify::next_dart(other));
-    corners.join(certify::next_dart(dart), other);
-  }
-  std::vector<std::uint32_t> number(corners.size());
-  for (std::uint32_t dart = 0; dart < corners.size(); ++dart) {
-    const std::uint32_t first = corners.find(dart);
-    if (first == dart) {
-      number[dart] = static_cast<std::uint32_t>(result.points.size());
-      result.points.push_back(
-          {lifts.lifted[lifts.place[dart / 3]].corner[dart % 3], triangles[dart / 3].vertex[dart % 3]});
-    }
-    number[dart] = number[first];
-  }
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    result.triangles.push_back(
-        {number[std::size_t{3} * t], number[std::size_t{3} * t + 1], number[std::size_t{3} * t + 2]});
-  return result;
-}
-
-/// Writes infinity, which JSON does not have, as the largest number.
-std::string circumradius_text(const NetGeometry& geometry, std::uint32_t triangle) {
-  return shortest(std::min(geometry.circumradius(triangle), std::numeric_limits<double>::max()));
-}
-
-/// The corners of a triangle in its own coordinates: three points (x, y, 0).
-std::string corners_text(const NetGeometry& geometry, std::uint32_t triangle) {
-  std::string out;
-  for (const Complex<double>& z : geometry.centred_corners(triangle)) {
-    out += (out.empty() ? "" : " ") + shortest(z.x) + ' ' + shortest(z.y) + " 0";
-  }
-  return out;
-}
-
-/// "a<separator>b<separator>c" of indices.
-template <class Indices>
-std::string joined(const Indices& indices, const char* separator) {
-  std::string out;
-  for (const std::uint32_t i : indices) out += (out.empty() ? "" : separator) + std::to_string(i);
-  return out;
-}
-
-std::string point_text(const Complex<double>& z, const char* separator) {
-  return shortest(z.x) + separator + shortest(z.y);
-}
 
 /// Writes a JSON array row by row.
 class Rows {
@@ -122,9 +54,9 @@ void write_pairings(const NetGeometry& geometry, const Lifts& lifts, const std::
 
 void write_off(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
-  const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
+  const DrawnMesh drawn = drawn_mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
   out << "OFF\n" << drawn.points.size() << ' ' << drawn.triangles.size() << " 0\n";
-  for (const Mesh::Point& point : drawn.points) out << point_text(point.place, " ") << " 0\n";
+  for (const DrawnMesh::Point& point : drawn.points) out << point_text(point.place, " ") << " 0\n";
   for (const auto& triangle : drawn.triangles) out << "3 " << joined(triangle, " ") << '\n';
 }
 
@@ -132,7 +64,7 @@ namespace {
 
 void write_vtu_of(const certify::NetDocument& net, const VertexData* data, std::ostream& out) {
   const NetGeometry geometry(net);
-  const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
+  const DrawnMesh drawn = drawn_mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
   const auto array = [&](const char* type, const std::string& attributes, std::size_t count, const auto& text) {
     out << "<DataArray type=\"" << type << "\" " << attributes << " format=\"ascii\">\n";
     for (std::uint32_t i = 0; i < count; ++i) out << text(i) << '\n';
@@ -144,6 +76,8 @@ void write_vtu_of(const certify::NetDocument& net, const VertexData* data, std::
       << drawn.points.size() << "\" NumberOfCells=\"" << n << "\">\n<PointData Scalars=\"vertex\">\n";
   array("Int64", "Name=\"vertex\"", drawn.points.size(),
         [&](std::uint32_t i) { return std::to_string(drawn.points[i].vertex); });
+  array("Float64", "Name=\"weight\"", drawn.points.size(),
+        [&](std::uint32_t i) { return shortest(metric_weight(drawn.points[i].place)); });
   if (data != nullptr) {
     array("Float64", "Name=\"" + data->name + "\"", drawn.points.size(),
           [&](std::uint32_t i) { return shortest(data->values[drawn.points[i].vertex]); });
@@ -177,49 +111,14 @@ void write_vtu_with(const VertexData& data, const certify::NetDocument& net, std
   write_vtu_of(net, &data, out);
 }
 
-void write_gmsh(const certify::NetDocument& net, std::ostream& out) {
-  const NetGeometry geometry(net);
-  const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
-  std::vector<Complex<double>> place(net.vertices.size());
-  for (auto point = drawn.points.rbegin(); point != drawn.points.rend(); ++point) place[point->vertex] = point->place;
-  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << place.size() << '\n';
-  for (std::size_t v = 0; v < place.size(); ++v) out << v + 1 << ' ' << point_text(place[v], " ") << " 0\n";
-  const std::size_t n = net.triangles.size();
-  out << "$EndNodes\n$Elements\n" << n << '\n';
-  for (std::size_t t = 0; t < n; ++t) {
-    out << t + 1 << " 2 2 1 1";
-    for (const std::uint32_t v : net.triangles[t].vertex) out << ' ' << std::uint64_t{v} + 1;
-    out << '\n';
-  }
-  out << "$EndElements\n";
-  const auto data = [&](const char* name, int components, const auto& text) {
-    // One string, the name; one real, the time; three integers: the time step and the two sizes.
-    out << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n" << components << '\n' << n << '\n';
-    for (std::uint32_t t = 0; t < n; ++t) out << std::uint64_t{t} + 1 << ' ' << text(t) << '\n';
-    out << "$EndElementData\n";
-  };
-  data("corners", 9, [&](std::uint32_t t) { return corners_text(geometry, t); });
-  data("circumradius", 1, [&](std::uint32_t t) { return circumradius_text(geometry, t); });
-}
-
-void write_edges(const certify::NetDocument& net, std::ostream& out) {
-  const NetGeometry geometry(net);
-  out << "u\tv\tlength\n";
-  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
-    if (certify::opposite(net, dart) < dart) continue;
-    out << certify::start(net, dart) << '\t' << certify::start(net, certify::next_dart(dart)) << '\t'
-        << shortest(geometry.edge_length(dart)) << '\n';
-  }
-}
-
 void write_mesh_json(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
-  const Mesh drawn = mesh(geometry, lifts);
+  const DrawnMesh drawn = drawn_mesh(geometry, lifts);
   out << "{\"format\": \"epsnet-mesh\", \"version\": 1, \"epsilon\": " << shortest(geometry.epsilon().get_d())
       << ", \"genus\": " << geometry.genus() << ", \"vertex_count\": " << net.vertices.size();
   Rows points(out, "points");
-  for (const Mesh::Point& point : drawn.points)
+  for (const DrawnMesh::Point& point : drawn.points)
     points.add("[" + point_text(point.place, ", ") + ", " + std::to_string(point.vertex) + "]");
   points.end();
   Rows triangles(out, "triangles");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "kernel/lorentz.h"
 #include "netgen/pictures/svg.h"
@@ -94,6 +96,7 @@ class PolygonDrawing {
     std::string labels = "<g class=\"labels\" font-family=\"sans-serif\" font-size=\"" + width(kFont) +
                          "\" text-anchor=\"middle\" stroke=\"" + palette::kPaper + "\" stroke-width=\"" + width(3) +
                          "\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
+    std::vector<std::pair<Point, double>> placed;  // Labels: the middle and half of the width.
     for (std::size_t k = 0; k < picture_.sides.size(); ++k) {
       const PolygonPicture::Side& side = picture_.sides[k];
       const std::string colour = pair_colour(pair_[k]);
@@ -104,7 +107,16 @@ class PolygonDrawing {
       if (length * paper_.radius() < 0.8 * kFont * unit_) continue;
       // Outside: on the right of the side.
       const Point outward = (1.2 * kFont * unit_ / (paper_.radius() * length)) * Point{chord.y, -chord.x};
-      labels += text(midpoint(side.ends) + outward, side.name, colour);
+      const Point place = midpoint(side.ends) + outward;
+      // Nor one that would lie on another, as at a corner that points inward.
+      const double half_width = 0.3 * kFont * unit_ * static_cast<double>(side.name.size()) / paper_.radius();
+      const auto is_covered = [&](const std::pair<Point, double>& other) {
+        return std::abs(other.first.x - place.x) < other.second + half_width &&
+               std::abs(other.first.y - place.y) < kFont * unit_ / paper_.radius();
+      };
+      if (std::any_of(placed.begin(), placed.end(), is_covered)) continue;
+      placed.emplace_back(place, half_width);
+      labels += text(place, side.name, colour);
     }
     return lines + "</g>\n" + labels + "</g>\n";
   }

@@ -11,6 +11,7 @@
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
+#include "certify/claims/pants/document.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/dirichlet_polygon.h"
@@ -62,16 +63,17 @@ struct PolygonPicture {
 };
 
 /// Returns the picture as SVG, `size` pixels wide and high (50 to 20000), with a legend. Sides that are glued to each
-/// other have one colour, and their labels, but for sides shorter than a label; sides, curves and marks do not become
-/// thinner towards the circle.
+/// other have one colour, and their labels, but for sides shorter than a label and labels that would lie on others;
+/// sides, curves and marks do not become thinner towards the circle.
 [[nodiscard]] std::string draw_svg(const PolygonPicture& picture, std::uint32_t size = 1000);
 
 /// Returns the picture of a Dirichlet domain with its base point in the centre. Sides have their numbers in the
 /// polygon.
 [[nodiscard]] PolygonPicture picture_of(const DirichletPolygon& polygon);
 
-/// Returns the picture of the tiles of a surface, laid out around a tile as a tree, with the middle of all in the
-/// centre. Sides have their numbers on the surface, which are the letters of words.
+/// Returns the picture of the tiles of a surface, laid out around tile 0, the nearest first; regular tiles with the
+/// centre of tile 0 in the centre, others with the middle of all corners. Sides that are glued where they lie are
+/// inside. The others have their numbers on the surface, which are the letters of words.
 [[nodiscard]] PolygonPicture picture_of(const Surface& surface);
 
 /// The following have a Dirichlet domain, with its base point in the centre. If it cannot be made, or the genus is more
@@ -80,9 +82,12 @@ struct PolygonPicture {
 /// Returns the picture of all paths of a distance file, from p in the centre to q.
 [[nodiscard]] PolygonPicture picture_of(const certify::DistanceDocument& distance);
 
-/// Returns the picture of the geodesics of a geodesics file, cut by the domain; the centre is a point of the first one.
-/// At most 200 are drawn, the shortest.
+/// Returns the picture of the geodesics of a geodesics file, cut by the domain; the centre is a point of the first one
+/// that is not very short. At most 200 are drawn, the shortest.
 [[nodiscard]] PolygonPicture picture_of(const certify::GeodesicsDocument& geodesics);
+
+/// Returns the picture of the cuffs of a pants file, cut by the domain of the surface's default point; at most 200.
+[[nodiscard]] PolygonPicture picture_of(const certify::PantsDocument& pants);
 
 /// Returns the picture of where the bounds of a diameter, a radius or an embedded disk are attained. For a diameter the
 /// vertex of the file is in the centre, with the points farthest from it and the segments there; for a radius the disk

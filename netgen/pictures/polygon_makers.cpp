@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iomanip>
 #include <optional>
 #include <queue>
+#include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "kernel/lorentz.h"
@@ -156,12 +160,71 @@ TileId tile_of(const certify::GeodesicsDocument& document, const certify::Geodes
   return TileId(document.net.charts[document.net.vertices[geodesic.vertex].chart].tile);
 }
 
-/// A point of the first geodesic; the surface's default if it cannot be told.
-std::optional<BasePoint> point_of_first(const Surface& surface, const certify::GeodesicsDocument& document) {
-  if (document.geodesics.empty()) return std::nullopt;
-  const auto line = axis_of(isometry_of(surface, word_of_letters(document.geodesics[0].word)));
-  if (!line) return std::nullopt;
-  return rounded_point(surface, tile_of(document, document.geodesics[0]), line->place);
+/// A point of the first geodesic that is not so short that the domain of its points is but a line; the centre of a tile
+/// if there is none.
+BasePoint point_of_first(const Surface& surface, const certify::GeodesicsDocument& document) {
+  constexpr double kShort = 0.2;
+  for (const auto& geodesic : document.geodesics) {
+    if (geodesic.length.lower < kShort) continue;
+    if (const auto line = axis_of(isometry_of(surface, word_of_letters(geodesic.word))))
+      return rounded_point(surface, tile_of(document, geodesic), line->place);
+  }
+  return centre_of_tile(surface, TileId(0));
+}
+
+/// The segments in a domain of the closed geodesic of a path that begins in a tile; nullopt if they are too many.
+std::optional<std::vector<Segment>> segments_of(const Domain& domain, TileId tile, const Word& word) {
+  const Isometry<Mp1024> way =
+      domain.frame.from_tile() *
+      inverse(isometry_of(domain.surface, path_between_tiles(domain.surface, domain.frame.tile(), tile)));
+  const auto line = axis_of(normalized(way * isometry_of(domain.surface, word) * inverse(way)));
+  return line ? traced(domain.frame, *line) : std::nullopt;
+}
+
+// Colours of curves, one after the other.
+constexpr std::array<const char*, 6> kColours{palette::kGeodesics,      palette::kPaths,        palette::kCoveringDisks,
+                                              palette::kEpsilonCollars, palette::kPackingDisks, palette::kEdges};
+
+/// A length for a legend.
+std::string length_text(double length) {
+  if (length >= 0.001) return fixed(length, 4);
+  std::ostringstream out;
+  out << std::setprecision(3) << length;
+  return out.str();
+}
+
+/// A path around a cuff of a pants file.
+Word word_of_cuff(const certify::PantsDocument& document, const certify::PantsDocument::Cuff& cuff) {
+  const auto [pants, number] = cuff.ends[0];
+  const certify::PantsDocument::Paths& paths = document.pants[pants];
+  Word word = word_of_letters(paths[number == 1 ? 1 : 0]);
+  if (number == 2) {
+    const Word second = word_of_letters(paths[1]);
+    word.insert(word.end(), second.begin(), second.end());
+  }
+  return word;
+}
+
+void add_cuffs(PolygonPicture& result, const Domain& domain, const certify::PantsDocument& document) {
+  constexpr std::size_t kMost = 200;
+  // With one colour for each, as long as a legend can list them.
+  const bool is_each_named = document.cuffs.size() <= kColours.size();
+  for (std::size_t e = 0; e < std::min(document.cuffs.size(), kMost); ++e) {
+    const certify::PantsDocument::Cuff& cuff = document.cuffs[e];
+    const std::string name = "cuff " + std::to_string(e) + ", of length " + length_text(cuff.length.upper);
+    if (is_each_named || e == 0) {
+      result.curves.push_back({is_each_named ? name : std::to_string(document.cuffs.size()) + " cuffs",
+                               kColours[is_each_named ? e : 0],
+                               {}});
+    }
+    const Word word = word_of_cuff(document, cuff);
+    const auto segments = segments_of(domain, domain.surface.tile_of_side(word.front()), word);
+    if (!segments) result.left_out.push_back(name + ": it crosses the domain too often");
+    if (segments)
+      result.curves.back().segments.insert(result.curves.back().segments.end(), segments->begin(), segments->end());
+  }
+  if (document.cuffs.size() > kMost)
+    result.left_out.push_back(std::to_string(document.cuffs.size() - kMost) + " cuffs: only 200 are drawn");
 }
 
 /// What a legend says of geodesics first, …, first + count − 1.
@@ -169,8 +232,8 @@ std::string cluster_name(const certify::GeodesicsDocument& document, std::size_t
   const auto middle = [&](std::size_t i) {
     return (document.geodesics[i].length.lower + document.geodesics[i].length.upper) / 2;
   };
-  const std::string from = fixed(middle(first), 4);
-  const std::string to = fixed(middle(first + count - 1), 4);
+  const std::string from = length_text(middle(first));
+  const std::string to = length_text(middle(first + count - 1));
   return (count == 1 ? "closed geodesic of length " : std::to_string(count) + " closed geodesics of length ") + from +
          (from == to ? "" : " to " + to);
 }
@@ -178,10 +241,6 @@ std::string cluster_name(const certify::GeodesicsDocument& document, std::size_t
 /// The geodesics of a file, one curve for each cluster of lengths, the shortest in front.
 void add_geodesics(PolygonPicture& result, const Domain& domain, const certify::GeodesicsDocument& document) {
   constexpr std::size_t kMost = 200;
-  // One colour for each cluster of lengths, the shortest in front.
-  constexpr std::array<const char*, 6> kColours{palette::kGeodesics,     palette::kPaths,
-                                                palette::kCoveringDisks, palette::kEpsilonCollars,
-                                                palette::kPackingDisks,  palette::kEdges};
   std::vector<std::pair<std::size_t, std::size_t>> clusters;
   if (document.clusters.empty() && !document.geodesics.empty()) clusters.emplace_back(0, document.geodesics.size());
   for (const auto& cluster : document.clusters) clusters.emplace_back(cluster.first, cluster.count);
@@ -197,13 +256,7 @@ void add_geodesics(PolygonPicture& result, const Domain& domain, const certify::
     std::size_t missing = 0;
     for (std::size_t i = first; i < first + count; ++i) {
       const auto& geodesic = document.geodesics[i];
-      const Isometry<Mp1024> way =
-          domain.frame.from_tile() *
-          inverse(isometry_of(domain.surface,
-                              path_between_tiles(domain.surface, domain.frame.tile(), tile_of(document, geodesic))));
-      const auto line =
-          axis_of(normalized(way * isometry_of(domain.surface, word_of_letters(geodesic.word)) * inverse(way)));
-      const auto segments = line ? traced(domain.frame, *line) : std::nullopt;
+      const auto segments = segments_of(domain, tile_of(document, geodesic), word_of_letters(geodesic.word));
       missing += segments ? 0 : 1;
       if (segments) curve.segments.insert(curve.segments.end(), segments->begin(), segments->end());
     }
@@ -228,12 +281,80 @@ PolygonPicture picture_of(const DirichletPolygon& polygon) {
   return result;
 }
 
+namespace {
+
+/// The tiles of a surface laid out as a tree around tile 0.
+struct TileTree {
+  ById<TileId, std::optional<Isometry<Mp1024>>> place;  ///< From the coordinates of a tile to those of tile 0.
+  ById<TileId, std::optional<SideId>> entry;            ///< The side through which a tile is entered; none for tile 0.
+};
+
+/// Lays out the tiles, each time the one whose centre is nearest to that of tile 0.
+TileTree nearest_tiles_first(const Surface& surface) {
+  TileTree tree{ById<TileId, std::optional<Isometry<Mp1024>>>(surface.tiles().size()),
+                ById<TileId, std::optional<SideId>>(surface.tiles().size())};
+  const auto centre = [&](TileId tile) {
+    return surface.is_regular() ? Point{} : convert<Mp1024>(centre_of_tile(surface, tile).z);
+  };
+  const Point middle = centre(TileId(0));
+  // Of equal distances, up to rounding, first those that are as many steps around their tiles, which keeps symmetries.
+  using Candidate = std::tuple<double, std::uint32_t, std::uint32_t, SideId>;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
+  std::uint32_t found = 0;
+  const auto beyond = [&](SideId side) {
+    return normalized(*tree.place[surface.tile_of_side(side)] * inverse(surface.crossing_as<Mp1024>(side)));
+  };
+  const auto add_sides = [&](TileId tile) {
+    SideId side = tree.entry[tile].value_or(surface.side_number(tile, 0));
+    for (std::uint32_t steps = 0; steps < surface.tile(tile).size(); ++steps, side = surface.next_side(side)) {
+      const TileId next = surface.tile_of_side(surface.partner(side));
+      if (tree.place[next]) continue;
+      const auto far = distance(middle, beyond(side)(centre(next))).convert_to<double>();
+      candidates.emplace(std::round(far * 1e9), steps, found++, side);
+    }
+  };
+  tree.place[TileId(0)] = Isometry<Mp1024>{};
+  add_sides(TileId(0));
+  while (!candidates.empty()) {
+    const SideId side = std::get<SideId>(candidates.top());
+    candidates.pop();
+    const TileId tile = surface.tile_of_side(surface.partner(side));
+    if (tree.place[tile]) continue;
+    tree.place[tile] = beyond(side);
+    tree.entry[tile] = surface.partner(side);
+    add_sides(tile);
+  }
+  return tree;
+}
+
+/// The sides around the tiles of a tree, counterclockwise.
+std::vector<SideId> sides_around(const Surface& surface, const TileTree& tree) {
+  std::vector<SideId> around;
+  std::vector<SideId> waiting;  // Those of tiles on the way, the next one last.
+  const auto enter = [&](SideId first, std::size_t count) {
+    std::vector<SideId> sides;
+    for (SideId side = first; sides.size() < count; side = surface.next_side(side)) sides.push_back(side);
+    waiting.insert(waiting.end(), sides.rbegin(), sides.rend());
+  };
+  enter(surface.side_number(TileId(0), 0), surface.tile(TileId(0)).size());
+  while (!waiting.empty()) {
+    const SideId side = waiting.back();
+    waiting.pop_back();
+    const SideId partner = surface.partner(side);
+    const TileId tile = surface.tile_of_side(partner);
+    if (tree.entry[tile] == partner) {
+      enter(surface.next_side(partner), surface.tile(tile).size() - 1);
+    } else {
+      around.push_back(side);
+    }
+  }
+  return around;
+}
+
+}  // namespace
+
 PolygonPicture picture_of(const Surface& surface) {
-  // Breadth first from tile 0, in its coordinates; the rim is what is not crossed, as in fundamental_polygon.
-  ById<TileId, std::optional<Isometry<Mp1024>>> place(surface.tiles().size());
-  place[TileId(0)] = Isometry<Mp1024>{};
-  std::vector<SideId> rim;
-  for (const SideId s : surface.sides_of(TileId(0))) rim.push_back(s);
+  const TileTree tree = nearest_tiles_first(surface);
   PolygonPicture result{.title = "surface of genus " + std::to_string(surface.genus()) + ", " +
                                  std::to_string(surface.tiles().size()) +
                                  (surface.tiles().size() == 1 ? " tile" : " tiles")};
@@ -241,39 +362,53 @@ PolygonPicture picture_of(const Surface& surface) {
     const TileId tile = surface.tile_of_side(side);
     const Tile& corners = surface.tile(tile);
     const std::uint32_t k = surface.place_in_tile(side);
-    const auto corner = [&](std::uint32_t i) { return (*place[tile])(convert<Mp1024>(corners[i % corners.size()])); };
+    const auto corner = [&](std::uint32_t i) {
+      return (*tree.place[tile])(convert<Mp1024>(corners[i % corners.size()]));
+    };
     return std::pair(corner(k), corner(k + 1));
   };
-  std::vector<std::pair<Point, Point>> inner;
-  for (bool grown = true; grown;) {
-    grown = false;
-    std::vector<SideId> next;
-    for (const SideId side : rim) {
-      const SideId entry = surface.partner(side);
-      const TileId tile = surface.tile_of_side(entry);
-      if (place[tile]) {
-        next.push_back(side);
-        continue;
-      }
-      grown = true;
-      place[tile] = normalized(*place[surface.tile_of_side(side)] * inverse(surface.crossing_as<Mp1024>(side)));
-      inner.push_back(ends_of(side));
-      for (SideId s = surface.next_side(entry); s != entry; s = surface.next_side(s)) next.push_back(s);
+  // Sides that are glued where they lie are inside; so are those through which tiles were entered.
+  const auto lies_on = [&](SideId side, SideId other) {
+    if (surface.partner(side) != other) return false;
+    const auto here = ends_of(side);
+    const auto there = ends_of(other);
+    return distance(here.first, there.second) < Mp1024(1e-9) && distance(here.second, there.first) < Mp1024(1e-9);
+  };
+  std::vector<SideId> inner;
+  std::vector<SideId> rim;
+  for (const SideId side : sides_around(surface, tree)) {
+    if (rim.empty() || !lies_on(rim.back(), side)) {
+      rim.push_back(side);
+    } else {
+      inner.push_back(side);
+      rim.pop_back();
     }
-    rim = std::move(next);
   }
-  // The middle of the corners goes to 0.
-  LorentzVector<Mp1024> sum;
-  for (const SideId side : rim) sum = sum + on_hyperboloid(ends_of(side).first);
-  const Point middle = in_disk(Mp1024(1 / sqrt(Mp1024(-lorentz_product(sum, sum)))) * sum);
-  const Isometry<Mp1024> to_centre = Isometry<Mp1024>::translation(-middle);
+  std::size_t first = 0;
+  for (; rim.size() > 2 && lies_on(rim[first], rim.back()); ++first) {
+    inner.push_back(rim.back());
+    rim.pop_back();
+  }
+  rim.erase(rim.begin(), rim.begin() + static_cast<std::ptrdiff_t>(first));
+  for (const TileId tile : surface.tile_ids()) {
+    if (tree.entry[tile]) inner.push_back(*tree.entry[tile]);
+  }
+  // The centre of a regular tile stays in the centre; of other tiles the middle of the corners goes there.
+  Isometry<Mp1024> to_centre;
+  if (!surface.is_regular()) {
+    LorentzVector<Mp1024> sum;
+    for (const SideId side : rim) sum = sum + on_hyperboloid(ends_of(side).first);
+    const Point middle = in_disk(Mp1024(1 / sqrt(Mp1024(-lorentz_product(sum, sum)))) * sum);
+    to_centre = Isometry<Mp1024>::translation(-middle);
+  }
   ById<SideId, std::uint32_t> number(surface.side_count());
   for (std::uint32_t k = 0; k < rim.size(); ++k) number[rim[k]] = k;
-  for (const SideId side : rim) {
+  const auto drawn = [&](SideId side) {
     const auto [from, to] = ends_of(side);
-    result.sides.push_back({segment(to_centre(from), to_centre(to)), number[surface.partner(side)], to_string(side)});
-  }
-  for (const auto& [from, to] : inner) result.inner.push_back(segment(to_centre(from), to_centre(to)));
+    return segment(to_centre(from), to_centre(to));
+  };
+  for (const SideId side : rim) result.sides.push_back({drawn(side), number[surface.partner(side)], to_string(side)});
+  for (const SideId side : inner) result.inner.push_back(drawn(side));
   return result;
 }
 
@@ -303,6 +438,11 @@ PolygonPicture picture_of(const certify::GeodesicsDocument& geodesics) {
   const Surface surface = from_document(geodesics.net.surface);
   const auto add = [&](PolygonPicture& result, const Domain& domain) { add_geodesics(result, domain, geodesics); };
   return in_domain(surface, point_of_first(surface, geodesics), "closed geodesics", add);
+}
+
+PolygonPicture picture_of(const certify::PantsDocument& pants) {
+  const auto add = [&](PolygonPicture& result, const Domain& domain) { add_cuffs(result, domain, pants); };
+  return in_domain(from_document(pants.net.surface), std::nullopt, "pants decomposition", add);
 }
 
 PolygonPicture picture_of(const certify::BoundDocument& bound) {

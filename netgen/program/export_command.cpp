@@ -17,7 +17,21 @@
 namespace epsnet::program {
 namespace {
 
-enum class ExportFormat { domain, triangulation, off, vtu, gmsh, edges, json, matrices };
+enum class ExportFormat {
+  domain,
+  triangulation,
+  off,
+  vtu,
+  gmsh,
+  gmsh_glued,
+  medit,
+  mfem,
+  edges,
+  adjacency,
+  face_adjacency,
+  json,
+  matrices
+};
 
 struct ExportRequest {
   std::string file;
@@ -53,7 +67,14 @@ FileType file_type(ExportFormat format) {
     case ExportFormat::vtu:
       return FileType::vtu;
     case ExportFormat::gmsh:
+    case ExportFormat::gmsh_glued:
       return FileType::msh;
+    case ExportFormat::medit:
+    case ExportFormat::mfem:
+      return FileType::mesh;
+    case ExportFormat::adjacency:
+    case ExportFormat::face_adjacency:
+      return FileType::mtx;
     case ExportFormat::json:
     case ExportFormat::matrices:
       return FileType::json;
@@ -71,10 +92,32 @@ std::function<void(const certify::NetDocument&, std::ostream&)> mesh_writer(Expo
       return write_vtu;
     case ExportFormat::gmsh:
       return write_gmsh;
-    case ExportFormat::edges:
-      return write_edges;
+    case ExportFormat::gmsh_glued:
+      return write_gmsh_glued;
+    case ExportFormat::medit:
+      return write_medit;
+    case ExportFormat::mfem:
+      return write_mfem;
     case ExportFormat::json:
       return write_mesh_json;
+    default:
+      return nullptr;
+  }
+}
+
+/// Returns the function that writes the graph of a surface or a net; none for other formats.
+std::function<void(const Exportable&, std::ostream&)> graph_writer(ExportFormat format) {
+  switch (format) {
+    case ExportFormat::edges:
+      return [](const Exportable& contents, std::ostream& out) {
+        std::visit([&](const auto& source) { write_edges(source, out); }, contents);
+      };
+    case ExportFormat::adjacency:
+    case ExportFormat::face_adjacency:
+      return [format](const Exportable& contents, std::ostream& out) {
+        const auto nodes = format == ExportFormat::adjacency ? GraphNodes::vertices : GraphNodes::faces;
+        std::visit([&](const auto& source) { write_adjacency(source, nodes, out); }, contents);
+      };
     default:
       return nullptr;
   }
@@ -115,6 +158,10 @@ void export_file(const ExportRequest& request) {
       write_output(request.output, [&](std::ostream& out) { write(*net, out); });
       return;
     }
+    if (const auto write = graph_writer(request.format)) {
+      write_output(request.output, [&](std::ostream& out) { write(contents, out); });
+      return;
+    }
     if (request.format == ExportFormat::domain) {
       const std::string text = domain_text(contents);
       write_output(request.output, [&](std::ostream& out) { out << text; });
@@ -143,19 +190,29 @@ void add_export_command(CLI::App& app, Job& chosen) {
           "--format", request.format,
           "exact, for CGAL: domain, the polygon of a surface of one tile; triangulation, the triangles of a "
           "net, or the tiles of a surface cut into triangles, with an anchor and cross-ratios. Rounded, of a "
-          "net: off or vtu, one lift of every triangle; gmsh (and data of vtu), the glued surface for finite "
-          "elements; edges, a table of vertices and lengths; json, all of it. Of any file: matrices, generators of "
-          "the group of the surface with their relation, exact and rounded")
+          "net: off or vtu, one lift of every triangle; for finite elements gmsh or medit (FreeFEM), one lift whose "
+          "sides are glued in pairs, mfem, or gmsh-glued, each triangle in coordinates of its own; json, all of it. Of "
+          "a net or of the tiles of a surface: edges, a table of vertices and lengths; adjacency or face-adjacency, "
+          "the matrix of the graph of vertices or of faces, for MatrixMarket. Of any file: matrices, generators of the "
+          "group of the surface with "
+          "their relation, exact and rounded")
       ->required()
       ->transform(one_of<ExportFormat>({{"domain", ExportFormat::domain},
                                         {"triangulation", ExportFormat::triangulation},
                                         {"off", ExportFormat::off},
                                         {"vtu", ExportFormat::vtu},
                                         {"gmsh", ExportFormat::gmsh},
+                                        {"gmsh-glued", ExportFormat::gmsh_glued},
+                                        {"medit", ExportFormat::medit},
+                                        {"mfem", ExportFormat::mfem},
                                         {"edges", ExportFormat::edges},
+                                        {"adjacency", ExportFormat::adjacency},
+                                        {"face-adjacency", ExportFormat::face_adjacency},
                                         {"json", ExportFormat::json},
                                         {"matrices", ExportFormat::matrices}}))
-      ->option_text("domain|triangulation|off|vtu|gmsh|edges|json|matrices REQUIRED");
+      ->option_text(
+          "domain|triangulation|off|vtu|gmsh|gmsh-glued|medit|mfem|edges|adjacency|face-adjacency|json|matrices "
+          "REQUIRED");
   add_output(*command, request.output, "the text to write");
   command
       ->add_option("--distance-from", request.distance_from,
@@ -172,6 +229,7 @@ void add_export_command(CLI::App& app, Job& chosen) {
       "  epsnet export s.json --format matrices -o matrices.json\n"
       "  epsnet export s.json --format domain -o polygon.txt\n"
       "  epsnet export net.json --format triangulation -o triangulation.txt\n"
+      "  epsnet export net.json --format medit -o net.mesh\n"
       "  epsnet export net.json --format vtu --distance-from v0 -o net.vtu");
   command->callback([&chosen, shared] { chosen = [shared] { export_file(*shared); }; });
 }

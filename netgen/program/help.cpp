@@ -25,8 +25,27 @@ std::size_t continued_at(std::string_view line) {
   return is_row ? kColumnOfTexts : begin;
 }
 
+/// Whether a line is the head of an option, with its text on the next lines.
+bool is_head(std::string_view line) {
+  return line.starts_with("  -") && line[kColumnOfTexts - 1] != ' ' && line.find("  ", 2) == std::string_view::npos;
+}
+
+/// A head breaks between choices: cmake/help/rows.awk joins a line that ends in | with the next one.
+std::string wrapped_head(std::string_view line) {
+  const std::string indent(4, ' ');
+  std::string result;
+  while (line.size() > kColumns) {
+    const std::size_t end = line.rfind('|', kColumns - indent.size() - 1);
+    if (end == std::string_view::npos) break;
+    result += std::string(line.substr(0, end + 1)) + '\n' + indent;
+    line.remove_prefix(end + 1);
+  }
+  return result + std::string(line);
+}
+
 std::string wrapped_line(std::string_view line) {
   if (line.size() <= kColumns) return std::string(line);
+  if (is_head(line)) return wrapped_head(line);
   const std::size_t indent = continued_at(line);
   std::string result(line.substr(0, indent));
   std::size_t column = indent;

@@ -10,6 +10,7 @@
 #include "certify/base/text.h"
 #include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
+#include "netgen/base/progress_line.h"
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
@@ -69,6 +70,8 @@ CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
 
 void add_threads(CLI::App& command, unsigned& threads) {
   command.add_option("--threads", threads, "0 is one per core")->check(integer_between(0, 1024))->option_text("N [0]");
+  command.add_flag("--progress", progress_output().lines,
+                   "a line of progress on standard error every ten seconds, also without a terminal");
 }
 
 std::string with_leading_zero(const std::string& number) {

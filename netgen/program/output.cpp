@@ -53,6 +53,8 @@ const std::vector<TypeOfFile>& types_of_files() {
       {FileType::vtu, {".vtu"}, "VTU"},
       {FileType::npy, {".npy"}, "a NumPy array"},
       {FileType::msh, {".msh"}, "Gmsh's MSH"},
+      {FileType::mesh, {".mesh"}, "a mesh of Medit or MFEM"},
+      {FileType::mtx, {".mtx"}, "a MatrixMarket matrix"},
   };
   return types;
 }

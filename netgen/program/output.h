@@ -46,7 +46,7 @@ void write_stdout(const std::function<void(std::ostream&)>& write);
 [[nodiscard]] std::string word_text(const Word& word);
 
 /// What a command writes to a file.
-enum class FileType { json, compact, text, svg, png, html, off, vtu, npy, msh };
+enum class FileType { json, compact, text, svg, png, html, off, vtu, npy, msh, mesh, mtx };
 
 /// A file that a command reads. An empty path stands for an option that was not given.
 struct InputFile {

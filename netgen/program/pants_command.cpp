@@ -8,6 +8,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/pants/pants.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -20,6 +21,7 @@ struct PantsRequest {
   std::string surface;
   std::string curves;
   std::string output;
+  std::string svg;
   bool find = false;
   bool json = false;
   unsigned threads = 0;
@@ -40,7 +42,7 @@ Report own_report(const PantsDecomposition& pants) {
 
 void cut_into_pants(const PantsRequest& request) {
   check_files({{"SURFACE", request.surface}, {"--curves", request.curves}},
-              {{"--output", request.output, FileType::json}});
+              {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Surface surface = read_surface_input(request.surface);
   PantsOptions options;
   options.own = !request.find;
@@ -61,8 +63,10 @@ void cut_into_pants(const PantsRequest& request) {
       throw JobError(names[error.number()] + ": " + error.what());
     }
   }();
-  write_output(request.output, [&](std::ostream& out) { certify::write_file(pants.document, out); });
-  write_report(own_report(pants), request.json, is_stdout(request.output));
+  const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(pants.document));
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(pants.document, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
+  write_report(own_report(pants), request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
 }  // namespace
@@ -113,6 +117,7 @@ void add_pants_command(CLI::App& app, Job& chosen) {
       ->excludes(curves);
   add_file(*command, "-o,--output", shared->output,
            "the pants file to write, for certify and for surface fenchel-nielsen --from; \"-\" is standard output");
+  add_file(*command, "--svg", shared->svg, "also draw the cuffs in a Dirichlet domain; \"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(

@@ -205,7 +205,9 @@ void add_fenchel_nielsen(CLI::App& surface, Job& chosen) {
       "fenchel-nielsen",
       "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. Missing values "
       "are drawn with the seed: lengths between 1 and 4, any twist.");
-  command->add_option("--genus", request->coordinates.genus, "2 or more; not needed with a list of edges")
+  command
+      ->add_option("--genus", request->coordinates.genus,
+                   "2 or more; not needed with edges or with lists of lengths or twists")
       ->option_text("G");
   command->add_option("--seed", request->coordinates.seed, "0 to 2^64 - 1; the same seed gives the same surface")
       ->check(CLI::NonNegativeNumber.description(""))
@@ -213,8 +215,8 @@ void add_fenchel_nielsen(CLI::App& surface, Job& chosen) {
   command
       ->add_option("--pants-graph", request->coordinates.graph,
                    "a trivalent graph: its edges as in \"0-1 0-1 0-1\", a node for each pair of pants, or one of the "
-                   "named ones")
-      ->option_text("chain|ring|tree|random|EDGES [random]");
+                   "named ones; theta is 0-1 0-1 0-1, of genus 2, the default for three lengths and three twists")
+      ->option_text("chain|ring|tree|theta|random|EDGES [random]");
   command
       ->add_option("--lengths", request->coordinates.lengths,
                    "the lengths of the cuffs, in the order of the edges, or one for all")
@@ -394,6 +396,7 @@ void add_twist(CLI::App& surface, Job& chosen) {
 
 struct NamedRequest : SurfaceOutput {
   std::string name;
+  std::optional<std::uint32_t> genus;
   bool list = false;
 };
 
@@ -412,7 +415,7 @@ void make_named(const NamedRequest& request) {
   check_surface_files({}, request);
   const Surface surface = [&] {
     try {
-      return named_surface(request.name);
+      return named_surface(request.name, request.genus);
     } catch (const SurfaceError& error) {
       throw UsageError(std::string("NAME: ") + error.what());
     }
@@ -427,6 +430,9 @@ void add_named(CLI::App& surface, Job& chosen) {
       "A surface that has a name, such as Klein's quartic: regular tiles, exactly, most of them regular maps.");
   CLI::Option* name =
       command->add_option("NAME", request->name, "a name of --list, a number in place of G")->option_text(" ");
+  command->add_option("--genus", request->genus, "of a family: wiman --genus 7 is wiman-7")
+      ->check(integer_between(2, 1000))
+      ->option_text("G");
   command->add_flag("--list", request->list, "print all names, with a sentence and a source for each")->excludes(name);
   add_file(*command, "-o,--output", request->output,
            "the surface file to write, needed with NAME; \"-\" is standard output");

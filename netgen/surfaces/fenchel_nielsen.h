@@ -127,8 +127,10 @@ class FenchelNielsenRequestError : public Error {
 
 /// Fenchel–Nielsen coordinates as given on a command line or in a JSON file. Missing values are drawn with the seed.
 struct FenchelNielsenRequest {
-  /// "chain", "ring", "tree", "random", or the edges themselves as in "0-1 0-1 0-1". Empty: random.
+  /// "chain", "ring", "tree", "theta" (0-1 0-1 0-1, of genus 2), "random", or the edges themselves as in "0-1 0-1 0-1".
+  /// Empty: theta for genus 2 if lengths and twists are given without a seed, otherwise random.
   std::string graph;
+  /// Not needed with edges, nor with lists of lengths or twists, which have 3g - 3 numbers.
   std::optional<std::uint32_t> genus;
   std::optional<std::uint64_t> seed;
   /// Decimals or rationals, one for each edge, or one for all. Empty: random.

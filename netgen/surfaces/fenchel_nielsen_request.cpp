@@ -46,6 +46,23 @@ std::uint32_t genus_of(const FenchelNielsenRequest& request) {
   return *request.genus;
 }
 
+bool has_edges(const std::string& graph) { return graph.find_first_of("0123456789") != std::string::npos; }
+
+bool has_all_coordinates(const FenchelNielsenRequest& request) {
+  return !request.lengths.empty() && !request.twists.empty();
+}
+
+/// Adds what the lists imply: the genus, of which they have 3g - 3 numbers; for genus 2 the graph theta, if nothing is
+/// to be drawn.
+FenchelNielsenRequest completed(FenchelNielsenRequest request) {
+  const std::size_t edges = std::max(request.lengths.size(), request.twists.size());
+  if (!request.genus && !has_edges(request.graph) && edges > 1 && edges % 3 == 0)
+    request.genus = static_cast<std::uint32_t>(edges / 3 + 1);
+  if (request.graph.empty() && !request.seed && request.genus == 2 && has_all_coordinates(request))
+    request.graph = "theta";
+  return request;
+}
+
 /// Returns the graph; nullopt for a random one, which is drawn later.
 std::optional<PantsGraph> graph_of(const FenchelNielsenRequest& request) {
   const std::string& graph = request.graph;
@@ -61,9 +78,13 @@ std::optional<PantsGraph> graph_of(const FenchelNielsenRequest& request) {
   if (graph == "tree") {
     return PantsGraph::tree(genus_of(request));
   }
-  if (graph.find_first_of("0123456789") == std::string::npos) {
-    throw RequestError("graph",
-                       "expected chain, ring, tree, random or edges such as \"0-1 0-1 0-1\", not " + in_quotes(graph));
+  if (graph == "theta") {
+    if (genus_of(request) != 2) throw RequestError("graph", "theta is a graph for genus 2; for others there is ring");
+    return PantsGraph({{0, 1}, {0, 1}, {0, 1}});
+  }
+  if (!has_edges(graph)) {
+    throw RequestError(
+        "graph", "expected chain, ring, tree, theta, random or edges such as \"0-1 0-1 0-1\", not " + in_quotes(graph));
   }
   PantsGraph edges = blaming("graph", [&] { return PantsGraph::parse(graph); });
   if (request.genus && *request.genus != edges.genus()) {
@@ -194,7 +215,8 @@ FenchelNielsenRequest request_of(const certify::PantsDocument& document) {
 
 }  // namespace
 
-FenchelNielsen resolve(const FenchelNielsenRequest& request) {
+FenchelNielsen resolve(const FenchelNielsenRequest& given) {
+  const FenchelNielsenRequest request = completed(given);
   std::optional<PantsGraph> graph = graph_of(request);
   const std::size_t edges = graph ? graph->edges().size() : 3 * std::size_t{genus_of(request)} - 3;
   const bool draw_lengths = request.lengths.empty();
@@ -203,6 +225,11 @@ FenchelNielsen resolve(const FenchelNielsenRequest& request) {
   if (!draw_lengths) lengths = numbers(request.lengths, "lengths", edges);
   if (!draw_twists) twists = numbers(request.twists, "twists", edges);
   // All given values are valid; the missing ones are drawn.
+  if (request.graph.empty() && !request.seed && has_all_coordinates(request)) {
+    throw RequestError("graph",
+                       "needed for these lengths and twists: chain, ring, tree, edges such as \"0-1 0-1 0-1\", or "
+                       "random, with a seed");
+  }
   if (!graph) graph = PantsGraph::random(genus_of(request), seed_of(request, "pants graph"));
   if (draw_lengths || draw_twists) {
     const char* what = !draw_lengths ? "twists" : !draw_twists ? "lengths" : "lengths and twists";

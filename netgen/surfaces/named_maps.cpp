@@ -237,6 +237,9 @@ Surface member(const Named& family, std::uint32_t genus) {
                      std::to_string(kLargestGenus) + ", not " + std::to_string(genus));
 }
 
+/// "wiman" for "wiman-G".
+std::string without_genus(std::string_view name) { return std::string(name.substr(0, name.rfind('-'))); }
+
 std::string all_names() {
   std::string names;
   for (const Named& named : kNamed) names += (names.empty() ? "" : ", ") + std::string(named.facts.name);
@@ -305,14 +308,24 @@ DartMap parse_map(const std::string& text) {
 
 std::span<const NamedSurface> named_surfaces() { return facts(); }
 
-Surface named_surface(const std::string& name) {
+Surface named_surface(const std::string& name, std::optional<std::uint32_t> genus) {
   for (const Named& named : kNamed) {
+    const std::string family = named.of_genus == nullptr ? "" : without_genus(named.facts.name);
+    if (named.of_genus != nullptr && name == family) {
+      if (!genus) {
+        throw SurfaceError(name + " is a family, expected a genus as well, as in " + name + "-7");
+      }
+      return named_surface(name + "-" + std::to_string(*genus));
+    }
     std::optional<Surface> surface;
     if (named.single != nullptr && name == named.facts.name) surface = named.single();
     if (named.of_genus != nullptr) {
-      if (const auto genus = genus_in(name, named.facts.name)) surface = member(named, *genus);
+      if (const auto number = genus_in(name, named.facts.name)) surface = member(named, *number);
     }
     if (!surface) continue;
+    if (genus && *genus != surface->genus()) {
+      throw SurfaceError(name + " has genus " + std::to_string(surface->genus()) + ", not " + std::to_string(*genus));
+    }
     surface->set_about(name + ": " + std::string(named.facts.description));
     return *surface;
   }

@@ -94,6 +94,19 @@ void bind_distances(py::module_& module) {
   module.def("farthest_points", [](const Surface& surface, const BasePoint& point) {
     return interruptible([=] { return farthest_points(surface, dirichlet_polygon(surface, point)); });
   });
+  module.def("loops_at", [](const Surface& surface, const BasePoint& point, double up_to) {
+    std::vector<std::pair<Word, double>> result;
+    for (PointLoop& loop : interruptible([=] { return loops_at(surface, point, up_to); }))
+      result.emplace_back(std::move(loop.word), loop.length);
+    return result;
+  });
+  module.def("point_along", [](const Surface& surface, const BasePoint& from, double direction, double length) {
+    return interruptible([=] { return point_along(surface, from, direction, length); });
+  });
+  module.def("fixed_points",
+             [](const Surface& surface, const std::vector<Word>& words, const std::vector<Word>& images) {
+               return interruptible([=] { return fixed_points(surface, words, images); });
+             });
   module.attr("least_bound_width") = kLeastBoundWidth;
   module.def("reversed_word", [](const Surface& surface, const Word& word) { return reversed(surface, word); });
 }

@@ -118,7 +118,12 @@ std::string exported(const NetDocument& net, const std::string& format, std::opt
     }
     if (format == "vtu") return write_vtu(net, out);
     if (format == "gmsh") return write_gmsh(net, out);
+    if (format == "gmsh-glued") return write_gmsh_glued(net, out);
+    if (format == "medit") return write_medit(net, out);
+    if (format == "mfem") return write_mfem(net, out);
     if (format == "edges") return write_edges(net, out);
+    if (format == "adjacency") return write_adjacency(net, GraphNodes::vertices, out);
+    if (format == "face-adjacency") return write_adjacency(net, GraphNodes::faces, out);
     if (format == "json") return write_mesh_json(net, out);
     if (format == "triangulation") return write_triangulation(net, out);
     throw std::invalid_argument("there is no format " + format);

@@ -1,6 +1,7 @@
 #include "netgen/pants/pants.h"
 
 #include "netgen/base/gmp.h"
+#include "netgen/pictures/pictures.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 
@@ -24,6 +25,8 @@ void bind_pants(py::module_& module) {
                         },
                         callback);
                   })
+      .def("svg", [](const SharedPants& self,
+                     std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
       .def_property_readonly("net", [](const SharedPants& self) { return SharedNet(self->net); })
       .def_property_readonly("pants", [](const SharedPants& self) { return self->pants; })
       .def_property_readonly("cuffs", [](const SharedPants& self) {

@@ -74,8 +74,11 @@ void bind_kinds(SurfaceClass& bound) {
           },
           py::arg("degree"), py::arg("seed"))
       .def_static(
-          "named", [](const std::string& name) { return interruptible([=] { return named_surface(name); }); },
-          py::arg("name"))
+          "named",
+          [](const std::string& name, std::optional<std::uint32_t> genus) {
+            return interruptible([=] { return named_surface(name, genus); });
+          },
+          py::arg("name"), py::arg("genus"))
       .def_static("names",
                   [] {
                     std::vector<std::pair<std::string, std::string>> result;
@@ -133,6 +136,17 @@ void bind_surface_files(SurfaceClass& bound) {
       .def("svg", [](const Surface& surface,
                      std::uint32_t size) { return svg_of([surface] { return picture_of(surface); }, size); })
       .def("domain_text", [](const Surface& surface) { return interruptible([=] { return write_domain(surface); }); })
+      .def(
+          "graph_text",
+          [](const Surface& surface, const std::string& format) {
+            return interruptible([=] {
+              return written([&](std::ostream& out) {
+                if (format == "edges") return write_edges(surface, out);
+                write_adjacency(surface, format == "adjacency" ? GraphNodes::vertices : GraphNodes::faces, out);
+              });
+            });
+          },
+          py::arg("format"))
       .def("triangulation_text",
            [](const Surface& surface) {
              return interruptible(
@@ -161,6 +175,13 @@ void bind_surface_facts(SurfaceClass& bound) {
       .def_property_readonly("tiles", &Surface::tiles)
       .def_property_readonly("gluing", &gluing_of)
       .def_property_readonly("side_count", &Surface::side_count)
+      .def_property_readonly("vertex_classes",
+                             [](const Surface& surface) {
+                               std::vector<std::uint32_t> classes;
+                               for (const SideId side : surface.side_ids())
+                                 classes.push_back(surface.vertex_class(side));
+                               return classes;
+                             })
       .def_property_readonly("vertex_count", &Surface::vertex_class_count)
       .def("info",
            [](const Surface& surface) { return interruptible([=] { return surface_info(surface).json.dump(); }); })

@@ -23,20 +23,34 @@ PantsDecomposition  Fenchel–Nielsen coordinates of any surface, with their pro
 IsometryGroup   the symmetries of a surface, with their proof
 Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) in intervals
 load, certify   files, and what the checker says of them
-map             a function of many surfaces, on all cores, as a structured array
+FundamentalGroup  generators, relations, letters
+map             a function of many surfaces, on all cores, as a structured array; table: its columns as floats, for pandas
 EpsnetError     the exceptions
 """
-from . import _epsnet, errors
+try:
+    from . import _epsnet
+except ImportError as error:
+    import pathlib
+    import sys
+
+    raise ImportError(
+        f"epsnet's compiled module _epsnet cannot be imported by {sys.executable} (Python {sys.version_info[0]}.{sys.version_info[1]}): {error}. "
+        f"{pathlib.Path(__file__).parent} is only its Python part, unless it was built for this Python: ./run python builds the module and starts "
+        "Python with it; pip install . installs it (docs/using-from-python.md)", name="epsnet._epsnet") from None
+
+from . import errors
 from .certificates import Certificate, Rule
-from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, Radius
+from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius
 from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
 from .eigenvalues import Eigenfunction, EigenvalueEnclosure, Eigenvalues
 from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
 from .files import certify, load
 from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicities, Multiplicity, Piece, Systole, ThickThin
-from .intervals import Interval, ends
+from .graphs import SurfaceGraph
+from .groups import FundamentalGroup
+from .intervals import Interval, ends, mids
 from .isometries import Axis, ComplexInterval, Gaussian, Isometry
-from .many import map as map  # Not in __all__, where it would hide Python's own.
+from .many import map as map, table  # Not in __all__, where it would hide Python's own.
 from .nets import Collar, DistanceTable, Lifts, Location, Net, Page
 from .pants import Cuff, PantsDecomposition
 from .points import Point
@@ -48,7 +62,7 @@ __version__: str = _epsnet.__version__
 __all__ = [
     "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Cuff", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
-    "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
-    "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceIsometry", "Systole",
-    "ThickThin", "UndecidedError", "certify", "ends", "errors", "load",
+    "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
+    "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole",
+    "ThickThin", "UndecidedError", "certify", "ends", "errors", "load", "mids", "table",
 ]

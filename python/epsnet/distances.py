@@ -10,11 +10,12 @@ from ._arguments import Number, as_fraction, as_index, as_threads, refuse
 from ._documents import Core, Document
 from ._progress import Progress, Shower
 from .certificates import Certificate
-from .intervals import Interval
+from .intervals import Interval, arcosh
+from .isometries import Isometry
 from .nets import Net
-from .points import Point, PointLike, base_point, point_of
+from .points import BasePoint, Point, PointLike, base_point, point_of
 
-__all__ = ["Cover", "Diameter", "Distance", "Eccentricity", "EmbeddedDisk", "Radius"]
+__all__ = ["Cover", "Diameter", "Distance", "Eccentricity", "EmbeddedDisk", "PointLoop", "Radius"]
 
 
 class _Measured(Document, Interval):
@@ -172,6 +173,44 @@ class Eccentricity(Interval):
 
 def farthest_points(surface: "Surface", p: Point) -> list[Point]:
     return [point_of(base) for base in _epsnet.farthest_points(surface._core, base_point(surface._core, p, "p"))]
+
+
+class PointLoop:
+    """A geodesic loop at a point."""
+
+    def __init__(self, isometry: Isometry, base: BasePoint) -> None:
+        #: The element of the group that takes a lift of the point to the other end of the loop, whose ``word`` is a path around it.
+        self.isometry = isometry
+        self._base = base
+
+    @property
+    def point(self) -> Point:
+        """The point."""
+        return point_of(self._base)
+
+    @cached_property
+    def length(self) -> Interval:
+        """Its length, proved: how far the isometry moves the point."""
+        # sinh²(d/2) = |b + (a − ā)p − b̄p²|²/(1 − |p|²)² for z ↦ (az + b)/(b̄z + ā) of determinant 1.
+        x, y = self._base[1]
+        a, b = self.isometry.enclosure(128)
+        re = b.re * (1 - x * x + y * y) - 2 * a.im * y - 2 * b.im * x * y
+        im = b.im * (1 + x * x - y * y) + 2 * a.im * x - 2 * b.re * x * y
+        return arcosh(1 + 2 * (re**2 + im**2) / (1 - x * x - y * y) ** 2).rounded()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, PointLoop) and (self.isometry, self._base) == (other.isometry, other._base)
+
+    def __hash__(self) -> int:
+        return hash(self._base)
+
+    def __repr__(self) -> str:
+        return f"<PointLoop of length {self.length}>"
+
+
+def injectivity_radius(surface: "Surface", p: PointLike) -> Interval:
+    """A shortest loop at p is an edge of every Delaunay triangulation with the one vertex p: the disk over it as a diameter has no other lift of p."""
+    return eccentricity(surface, p).net.certificate.enclosures["shortest_loop"] / 2
 
 
 def _width(width: Number) -> float:

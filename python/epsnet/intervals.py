@@ -16,7 +16,7 @@ from .errors import ArgumentError, UndecidedError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Interval", "ends"]
+__all__ = ["Interval", "ends", "mids"]
 
 
 def _rounded(x: Fraction, towards: float) -> float:
@@ -65,7 +65,7 @@ class Interval(Immutable):
     epsnet.errors.UndecidedError: [1, 1.5] < [1.25, 1.25] is not decided: the intervals overlap
 
     ``==`` compares the ends alone, and says nothing about the numbers inside. An interval does not convert to a float: say which number you
-    want, ``x.lower``, ``x.upper``, or ``x.mid``, which is a guess.
+    want, ``x.lower``, ``x.upper``, or ``x.mid``, which is a guess. Arrays are ``epsnet.ends(intervals)`` and, for plots, ``epsnet.mids(intervals)``.
 
     ``sorted(intervals)`` and ``max(intervals)`` raise unless every comparison is decided. ``sorted(intervals, key=Interval.key)`` sorts by the
     lower ends, and equal ones by the upper ends, which is the order of the numbers wherever intervals do not overlap; ``Interval.maximum`` is
@@ -119,6 +119,12 @@ class Interval(Immutable):
     def width(self) -> float:
         """The length of the interval, rounded up."""
         return _rounded(self._upper - self._lower, math.inf)
+
+    def __float__(self) -> float:
+        raise TypeError(
+            "an interval is no number; say which you want: .lower, .upper, or .mid, which is not proved; for an array of many, "
+            "epsnet.ends(intervals) or epsnet.mids(intervals)"
+        )
 
     def __contains__(self, x: Union[Number, "Interval"]) -> bool:
         if isinstance(x, Interval):
@@ -262,9 +268,6 @@ class Interval(Immutable):
     def __bool__(self) -> bool:
         raise TypeError("an interval is neither true nor false")
 
-    def __float__(self) -> float:
-        raise TypeError("an interval is no number; say which you want: .lower, .upper, or .mid, which is not proved")
-
     def __reduce__(self) -> Union[str, tuple[Any, ...]]:
         return _unpickled, (self._lower, self._upper, self._proved)
 
@@ -317,6 +320,16 @@ class Interval(Immutable):
             return ends[0].union(ends[1])
         finally:
             flint.ctx.prec = before
+
+
+def mids(intervals: Iterable[Interval]) -> "NDArray[np.float64]":
+    """The midpoints of intervals as an array, for plots; they prove nothing.
+
+    >>> import epsnet
+    >>> epsnet.mids([epsnet.Interval(1, 2), epsnet.Interval(3, 3)])
+    array([1.5, 3. ])
+    """
+    return np.array([x.mid for x in _intervals(intervals)], dtype=np.float64)
 
 
 def ends(intervals: Iterable[Interval]) -> "NDArray[np.float64]":

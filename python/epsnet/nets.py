@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["Collar", "DistanceTable", "Lifts", "Location", "Net", "Page"]
 
 _COLOURS = ("none", "circumradius", "chart", "distance")
-_FORMATS = ("gmsh", "vtu", "off", "edges", "json", "triangulation")
+_FORMATS = ("gmsh", "gmsh-glued", "medit", "mfem", "vtu", "off", "edges", "adjacency", "face-adjacency", "json", "triangulation")
 
 
 class Collar(NamedTuple):
@@ -457,7 +457,9 @@ class Net(Document):
     def export(self, format: str, path: Optional[Path] = None, *, distance_from: Optional[int] = None) -> Optional[bytes]:
         """The net in another format, for programs that compute with meshes (docs/exchange-formats.md); written to the path, or returned.
 
-        "gmsh" and "vtu": finite elements, the glued surface; "off": one lift of each triangle; "edges": a table; "json": all of it; rounded.
+        For finite elements (docs/finite-elements.md) "gmsh" and "medit": one lift of each triangle, a planar mesh with its sides glued in
+        pairs; "mfem" and "gmsh-glued": the glued surface. "vtu" and "off": one lift; "edges": a table; "adjacency" and "face-adjacency": the
+        matrix of the graph of vertices or triangles, for MatrixMarket; "json": all of it; rounded.
         "triangulation": CGAL's, exactly. ``distance_from``, for "vtu": also the distance of every vertex from this one, as the array
         ``distance`` at points.
         """

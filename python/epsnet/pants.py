@@ -115,6 +115,13 @@ class PantsDecomposition(Document):
         """The net of the surface in the file."""
         return Net(self._core.net, self._surface, None)
 
+    def svg(self, size: int = 600) -> str:
+        """The cuffs, 200 at most, in a Dirichlet domain of the surface."""
+        return self._core.svg(as_index(size, "size", 50, 20000))
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
     def fenchel_nielsen(self, twists: Optional[Sequence[Any]] = None) -> "Surface":
         """The surface of these coordinates, with the middles of the intervals: isometric to the given one up to rounding. ``twists``: others.
 

@@ -17,19 +17,25 @@ from ._arguments import (
 from ._documents import Document, read
 from ._immutable import Immutable
 from ._progress import Progress
-from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, Radius, cover, distance, eccentricity
+from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
 from .eigenvalues import Eigenvalues, eigenvalues
 from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
+from .graphs import SurfaceGraph, graph_of
+from .groups import FundamentalGroup
+from .intervals import Interval
 from .isometries import Gaussian, Isometry
 from .nets import Net
-from .points import Point, PointLike, base_point, point_of
+from .points import Point, PointLike, base_point, point_of, random_points
 from .pants import PantsDecomposition, dehn_twist, dehn_twist_words, pants, twist
 from .symmetries import IsometryGroup, SurfaceIsometry, isometric_to, isometries
 
 __all__ = ["Surface"]
 
 _Kind = TypeVar("_Kind")
+
+#: π to 60 digits.
+_PI = Interval("3.14159265358979323846264338327950288419716939937510582097494", "3.14159265358979323846264338327950288419716939937510582097495", proved=True)
 
 
 def _matrix_text(x: Any) -> str:
@@ -48,7 +54,7 @@ class Surface(Immutable):
     >>> import epsnet
     >>> surface = epsnet.Surface.octagon(seed=123)
     >>> surface
-    <Surface of genus 2: 1 tile, 8 sides>
+    <Surface octagon(seed=123), genus 2>
 
     Then ask it: ``net`` for ε-nets; ``systole``, ``spectrum``, ``thick_thin`` for closed geodesics; ``distance``, ``diameter``, ``radius``,
     ``eccentricity``, ``embedded_disk``; ``generators``, ``fundamental_polygon``, ``dirichlet_domain``.
@@ -72,15 +78,17 @@ class Surface(Immutable):
         if any(len(row) != 4 for row in rows):
             refuse("rows of four integers", gluing, "gluing")
         self._core = _epsnet.Surface(polygons, rows)
+        self._name = ""
 
     @classmethod
-    def _of(cls, core: "_epsnet.Surface") -> "Surface":
+    def _of(cls, core: "_epsnet.Surface", name: str = "") -> "Surface":
         surface = cls.__new__(cls)
         surface._core = core
+        surface._name = name
         return surface
 
     @classmethod
-    def octagon(cls, seed: int = 0, *, half: Optional[Sequence[Any]] = None) -> "Surface":
+    def octagon(cls, seed: Optional[int] = None, *, half: Optional[Sequence[Any]] = None) -> "Surface":
         """The random surface of genus 2 of a seed: a symmetric octagon, opposite sides glued; the same on every machine.
 
         With ``half``, four corners z0, z1, z2, z3, the octagon z0, z1, z2, z3, −z0, −z1, −z2, −z3, whose area must be 4π.
@@ -94,7 +102,10 @@ class Surface(Immutable):
             if len(corners) != 4:
                 refuse("four corners", half, "half")
             return cls._of(_epsnet.Surface.symmetric(corners))
-        return cls._of(_epsnet.Surface.octagon(as_index(seed, "seed", -(2**31), 2**31 - 1)))
+        if seed is None:
+            refuse("a seed, as in Surface.octagon(seed=1), or half, four corners", seed, "seed")
+        number = as_index(seed, "seed", -(2**31), 2**31 - 1)
+        return cls._of(_epsnet.Surface.octagon(number), f"octagon(seed={number})")
 
     @classmethod
     def regular(cls, genus: int) -> "Surface":
@@ -102,24 +113,26 @@ class Surface(Immutable):
 
         >>> import epsnet
         >>> epsnet.Surface.regular(2)
-        <Surface of genus 2: the regular 8-gon>
+        <Surface regular(2), genus 2>
         """
         number = as_index(genus, "genus")
         with argument("genus"):
-            return cls._of(_epsnet.Surface.regular(number))
+            return cls._of(_epsnet.Surface.regular(number), f"regular({number})")
 
     @classmethod
-    def named(cls, name: str) -> "Surface":
-        """A surface that has a name, exactly: those of ``Surface.names()``, such as ``"klein"`` or ``"wiman-7"``.
+    def named(cls, name: str, genus: Optional[int] = None) -> "Surface":
+        """A surface that has a name, exactly: those of ``Surface.names()``, such as ``"klein"`` or ``"wiman-7"``, also as ``"wiman", 7``.
 
         >>> import epsnet
         >>> epsnet.Surface.named("klein")
-        <Surface of genus 3: a map of type {7, 3}>
+        <Surface klein, genus 3>
         """
         if not isinstance(name, str):
             refuse("a string", name, "name")
+        number = None if genus is None else as_index(genus, "genus", 2)
         with argument("name"):
-            return cls._of(_epsnet.Surface.named(name))
+            core = _epsnet.Surface.named(name, number)
+        return cls._of(core, name if genus is None or name.endswith(f"-{number}") or name in cls.names() else f"{name}-{number}")
 
     @classmethod
     def names(cls) -> dict[str, str]:
@@ -199,25 +212,26 @@ class Surface(Immutable):
         hyperbolic length, too. One number stands for all edges.
 
         ``graph``: edges, as [(0, 1), (0, 1), (0, 1)] or "0-1 0-1 0-1", of which the nodes are the pairs of pants; or "chain", "ring", "tree",
-        "random" with a genus. Missing values are drawn with the seed. Exact: lengths and twists of the surface differ from those asked for
+        "random" with a genus; the default for genus 2, where lengths and twists are given, is "theta", 0-1 0-1 0-1. Missing values are drawn with the seed. Exact: lengths and twists of the surface differ from those asked for
         by a factor within 1 ± 2⁻⁵⁰ (docs/fenchel-nielsen.md).
 
         >>> import epsnet
         >>> thin = epsnet.Surface.fenchel_nielsen(["1/1000", 1, 2], 0, [(0, 0), (0, 1), (1, 1)])
         >>> thin
-        <Surface of genus 2: 2 tiles, 14 sides>
+        <Surface of 2 tiles, genus 2>
         >>> epsnet.Surface.fenchel_nielsen(lengths=2, twists="1/2", graph="ring", genus=5).genus
         5
         """
         if graph is None:
-            graph = "random"
+            graph = ""
         if not isinstance(graph, str):
             edges = as_items(graph, "graph", "a name or edges")
             graph = " ".join("-".join(map(str, as_indices(edge, "graph"))) for edge in edges)
         genus = None if genus is None else as_index(genus, "genus")
         seed = None if seed is None else as_index(seed, "seed", 0, 2**64 - 1)
         coordinates = _epsnet.Coordinates(graph, genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
-        return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates))
+        name = f"fenchel_nielsen(genus={genus}, seed={seed})" if lengths is None and twists is None and graph in ("", "random") else ""
+        return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates), name)
 
     @classmethod
     def load(cls, path: Path) -> "Surface":
@@ -235,10 +249,17 @@ class Surface(Immutable):
         self._core.save(name)
 
     def export(self, format: str, path: Optional[Path] = None) -> Optional[str]:
-        """The surface in an exact text format of CGAL: "domain" (one tile) or "triangulation". Written to the path, or returned."""
-        form = as_choice(format, "format", ("domain", "triangulation"))
+        """The surface as a text for other programs; written to the path, or returned (docs/exchange-formats.md).
+
+        Exactly, for CGAL: "domain" (one tile) or "triangulation". The graph of its tiles: "edges", a table of the two vertices, the two tiles and the
+        length of each edge; "adjacency" and "face-adjacency", matrices of the graphs of vertices and of tiles, for MatrixMarket.
+        """
+        form = as_choice(format, "format", ("domain", "triangulation", "edges", "adjacency", "face-adjacency"))
         file = as_optional_path(path)
-        text = self._core.domain_text() if form == "domain" else self._core.triangulation_text()
+        if form == "domain":
+            text = self._core.domain_text()
+        else:
+            text = self._core.triangulation_text() if form == "triangulation" else self._core.graph_text(form)
         if file is None:
             return text
         _epsnet.write_text(text.encode(), file)
@@ -255,6 +276,21 @@ class Surface(Immutable):
     def genus(self) -> int:
         """The genus, at least 2."""
         return self._core.genus
+
+    @property
+    def area(self) -> Interval:
+        """4π(g − 1), in the least interval of floats.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).area
+        <Interval [12.566370614359172, 12.566370614359175]>
+        """
+        return (_PI * (4 * (self.genus - 1))).rounded()
+
+    @property
+    def name(self) -> str:
+        """How it was made here, such as ``"klein"`` or ``"octagon(seed=5)"``; empty, if that is not known. It is not part of the surface."""
+        return self._name
 
     @property
     def about(self) -> str:
@@ -280,6 +316,13 @@ class Surface(Immutable):
         """The number of the side that a side is glued to."""
         return self._core.partner(as_index(side, "side", 0, self._core.side_count - 1))
 
+    def _checked_word(self, word: Iterable[int]) -> list[int]:
+        """The numbers of sides of a path."""
+        letters = as_indices(word, "word")
+        with argument("word"):
+            self._core.enclosed_isometry(letters, 1)  # Whether it is a path.
+        return letters
+
     def reduced(self, word: Iterable[int]) -> tuple[int, ...]:
         """The path with each crossing that is undone at once removed."""
         result: list[int] = []
@@ -299,9 +342,71 @@ class Surface(Immutable):
         """
         return Point(as_index(tile, "tile"), as_fraction(x, "x"), as_fraction(y, "y"))
 
+    def graph(self) -> SurfaceGraph:
+        """The graph that the sides of the tiles are on the surface, with its faces, the tiles: of a map or a cover, say, for models on it.
+
+        >>> import epsnet
+        >>> graph = epsnet.Surface.named("klein").graph()
+        >>> graph
+        <SurfaceGraph: 56 vertices, 84 edges, 24 faces>
+        >>> graph.faces[0], graph.edges[0], graph.face_edges[0]
+        ((0, 1, 2, 3, 4, 5, 6), array([0, 1], dtype=uint32), array([0, 1], dtype=uint32))
+        """
+        return graph_of(self._core)
+
     def centre(self, tile: int = 0) -> Point:
         """A point with few digits, strictly inside a tile."""
         return point_of(base_point(self._core, as_index(tile, "tile"), "tile"))
+
+    def random_points(self, n: int, seed: int) -> list[Point]:
+        """n points that are independent and uniformly distributed by area; the coordinates are floats.
+
+        >>> import epsnet
+        >>> len(epsnet.Surface.octagon(1).random_points(10, seed=1))
+        10
+        """
+        return random_points(self._core, as_index(n, "n", 0, 10**8), as_index(seed, "seed", 0, 2**64 - 1))
+
+    def exponential(self, p: PointLike, direction: float, length: Number) -> Point:
+        """The end of the geodesic of this length (at most 300) that leaves p in a direction, the angle with the x-axis in the disk of the tile
+        of p. Rounded to multiples of 2⁻¹⁰⁰, not proved.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(1)
+        >>> q = surface.exponential(surface.centre(), 0.5, "0.1")
+        >>> surface.distance(surface.centre(), q).overlaps(epsnet.Interval("0.0999999999", "0.1000000001"))
+        True
+        """
+        size = as_fraction(length, "length")
+        if not 0 <= size <= 300:
+            refuse("a length from 0 to 300", length, "length")
+        return point_of(_epsnet.point_along(self._core, base_point(self._core, p, "p"), float(as_fraction(direction, "direction")), float(size)))
+
+    def loops_at(self, p: PointLike, up_to: Number) -> list[PointLoop]:
+        """The geodesic loops at p that are at most this long, up to their direction, the shortest first; p must be strictly inside its tile.
+
+        The length of each is proved; that there are no others is computed with 1024 bits.
+
+        >>> import epsnet
+        >>> bolza = epsnet.Surface.regular(2)
+        >>> [f"{loop.length:.6f}" for loop in bolza.loops_at(bolza.centre(), 4)]
+        ['[3.057141, 3.057142]', '[3.057141, 3.057142]', '[3.057141, 3.057142]', '[3.057141, 3.057142]']
+        """
+        length = as_fraction(up_to, "up_to")
+        base = base_point(self._core, p, "p")
+        with argument("p"):
+            found = _epsnet.loops_at(self._core, base, float(length))
+        return [PointLoop(Isometry(self, self.reduced(word)), base) for word, _ in found]
+
+    def injectivity_radius(self, p: PointLike) -> Interval:
+        """Half the length of a shortest loop at p, in a proved interval; p must be strictly inside its tile (docs/distances.md).
+
+        >>> import epsnet
+        >>> bolza = epsnet.Surface.regular(2)
+        >>> bolza.injectivity_radius(bolza.centre())
+        <Interval [1.5285709194809975, 1.5285709194809987]>
+        """
+        return injectivity_radius(self, p)
 
     @cached_property
     def _tile_of(self) -> list[int]:
@@ -380,10 +485,7 @@ class Surface(Immutable):
         >>> epsnet.Surface.octagon(1).element([0, 4]).is_identity()
         True
         """
-        letters = as_indices(word, "word")
-        with argument("word"):
-            self._core.enclosed_isometry(letters, 1)  # Whether it is a path.
-        return Isometry(self, letters)
+        return Isometry(self, self._checked_word(word))
 
     def fundamental_polygon(self) -> FundamentalPolygon:
         """All tiles as one polygon in the coordinates of tile 0, with its side pairings and relations, exactly."""
@@ -400,6 +502,15 @@ class Surface(Immutable):
         <DirichletDomain with 8 sides>
         """
         return DirichletDomain(self, None if p is None else base_point(self._core, p, "p"))
+
+    def fundamental_group(self) -> FundamentalGroup:
+        """The group by generators and relations, with letters for its elements.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).fundamental_group()
+        <FundamentalGroup with 4 generators, 1 relation>
+        """
+        return FundamentalGroup(self)
 
     def cover(
         self, permutations: Optional[Iterable[Iterable[int]]] = None, *, degree: Optional[int] = None, seed: Optional[int] = None
@@ -423,7 +534,7 @@ class Surface(Immutable):
         else:
             sheets = [tuple(as_indices(p, "permutations")) for p in as_items(permutations, "permutations", "permutations")]
         with argument("permutations"):
-            return Surface._of(self._core.cover(sheets))
+            return Surface._of(self._core.cover(sheets), f"cover of degree {len(sheets[0])} of {self.name}" if self.name else "")
 
     def random_sheets(self, degree: int, seed: int) -> list[tuple[int, ...]]:
         """Permutations for ``cover``, drawn uniformly from those of connected covers of this degree with numbered sheets.
@@ -645,17 +756,20 @@ class Surface(Immutable):
         return hash((self.genus, self._core.side_count))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled, (self._core.text(),)
+        return _unpickled, (self._core.text(), self._name)
 
     def __repr__(self) -> str:
-        if self.is_regular:
-            tile = self._core.regular_tile
-            if self._core.is_regular_polygon or tile is None:
-                return f"<Surface of genus {self.genus}: the regular {4 * self.genus}-gon>"
-            p, q = tile
-            return f"<Surface of genus {self.genus}: a map of type {{{p}, {q}}}>"
+        return f"<Surface {self._name or self._kind()}, genus {self.genus}>"
+
+    def _kind(self) -> str:
+        """What its tiles are, in words."""
+        if self._core.is_regular_polygon:
+            return f"regular({self.genus})"
+        if self._core.regular_tile is not None:
+            p, q = self._core.regular_tile
+            return f"that is a map of type {{{p}, {q}}}"
         tiles = len(self._core.tiles)
-        return f"<Surface of genus {self.genus}: {tiles} tile{'' if tiles == 1 else 's'}, {self._core.side_count} sides>"
+        return f"of {tiles} tile{'' if tiles == 1 else 's'}"
 
     def svg(self, size: int = 600) -> str:
         """The tiles, laid out around one of them; sides that are glued to each other have one colour."""
@@ -665,8 +779,8 @@ class Surface(Immutable):
         return self.svg()
 
 
-def _unpickled(text: bytes) -> Surface:
-    return Surface._of(_epsnet.Surface.parse(text, "pickle"))
+def _unpickled(text: bytes, name: str) -> Surface:
+    return Surface._of(_epsnet.Surface.parse(text, "pickle"), name)
 
 
 def _of_kind(found: Any, kind: Type[_Kind]) -> _Kind:

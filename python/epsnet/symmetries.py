@@ -2,22 +2,24 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import List, Optional, Sequence, Tuple, Union, overload
+from typing import Any, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _epsnet
 from ._annotations import Surface
 from ._arguments import Path, as_index, as_threads, refuse
 from ._documents import Document
+from ._immutable import Immutable
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .errors import UndecidedError
 from .isometries import Isometry
 from .nets import Net
+from .points import Point, point_of
 
 __all__ = ["IsometryGroup", "IsometryProof", "SurfaceIsometry"]
 
 
-class SurfaceIsometry:
+class SurfaceIsometry(Immutable):
     """An isometry from a surface to another or to itself, as what it does with the group. That it is one is decided exactly."""
 
     def __init__(self, surface: "Surface", target: "Surface", core: Tuple[bool, List[List[int]]]) -> None:
@@ -86,7 +88,7 @@ class IsometryProof(Document):
         return f"<IsometryProof of order {self.order}{'' if self.proved else ' (not proved)'}>"
 
 
-class IsometryGroup(Sequence[SurfaceIsometry]):
+class IsometryGroup(Immutable, Sequence[SurfaceIsometry]):
     """The isometries of a surface; number 0 is the identity.
 
     Each is decided exactly. That there are no others is computed with numbers of 256 bits, until ``proof`` is asked for.
@@ -158,6 +160,24 @@ class IsometryGroup(Sequence[SurfaceIsometry]):
         """How many points isometry i fixes; None for the identity, and for those that reverse the orientation: they may fix curves."""
         return self._core.fixed_points(self._number(i))
 
+    def fixed_point_list(self, i: int) -> List[Point]:
+        """The points that isometry i fixes, which is not the identity and preserves the orientation, rounded to multiples of 2⁻¹⁰⁰: the
+        Weierstrass points, if it is a hyperelliptic involution. NetError unless they are as many as ``fixed_points`` says.
+
+        >>> import epsnet
+        >>> group = epsnet.Surface.octagon(1).isometries()
+        >>> len(group.fixed_point_list(1)) == group.fixed_points(1) == 6
+        True
+        """
+        expected = self.fixed_points(i)
+        if expected is None:
+            refuse("an isometry other than the identity that preserves the orientation", i, "i")
+        words = [generator.word for generator in self.surface.fundamental_polygon().generators()]
+        found = _epsnet.fixed_points(self.surface._core, words, self[i].words)
+        if len(found) != expected:
+            raise NetError(f"isometry {i} fixes {expected} points, but {len(found)} are found with 1024 bits")
+        return [point_of(point) for point in found]
+
     def permutation(self, i: int) -> List[int]:
         """Isometry i as a permutation of the numbers of isometries, by product from the left: for SymPy or GAP.
 
@@ -167,6 +187,17 @@ class IsometryGroup(Sequence[SurfaceIsometry]):
         [[0, 1], [1, 0]]
         """
         return list(self._core.permutation(self._number(i)))
+
+    def __eq__(self, other: object) -> bool:
+        """Whether these are the isometries of equal surfaces."""
+        return isinstance(other, IsometryGroup) and self.surface == other.surface
+
+    def __hash__(self) -> int:
+        return hash(self.surface)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        # The surface says it all; the group is computed anew.
+        return isometries, (self.surface, self._threads, False)
 
     def __repr__(self) -> str:
         name = f" {self.name}" if self.name else ""

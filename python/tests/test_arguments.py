@@ -71,17 +71,18 @@ def calls(octagon, net, bolza):
     spectrum, distance, polygon = octagon.spectrum(2), octagon.distance((0, 0.1, 0), 0), octagon.dirichlet_domain((0, 0, 0))
     group, matrices, pants = octagon.isometries(), bolza.matrices(), octagon.pants()
     curve = pants.cuffs[0].word
+    words = octagon.fundamental_group()
     x, element, table, eigenvalues = Interval(1, 2), octagon.element([0]), net.distances(0), octagon.eigenvalues(1, digits=4)
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
         (Surface.octagon, dict(seed=1)), (Surface.octagon, dict(half=octagon.tiles[0][:4])), (Surface.regular, dict(genus=2)),
-        (Surface.named, dict(name="bolza")), (Surface.map, dict(rotation=[(k + 1) % 8 for k in range(8)], edges=[(k + 4) % 8 for k in range(8)])),
+        (Surface.named, dict(name="wiman", genus=7)), (Surface.map, dict(rotation=[(k + 1) % 8 for k in range(8)], edges=[(k + 4) % 8 for k in range(8)])),
         (octagon.cover, dict(permutations=[(1, 0), (0, 1), (0, 1), (0, 1)])), (octagon.cover, dict(degree=2, seed=1)),
         (octagon.random_sheets, dict(degree=2, seed=1)),
         (Surface.fenchel_nielsen, dict(lengths=1, twists=0, graph="chain", genus=2, seed=1)),
         (Surface.from_matrices, dict(generators=matrices["generators"], relation=matrices["relation"], model="sl2r", tiles=matrices["tiles"])),
         (octagon.matrices, dict(model="su11")),
-        (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (pants.fenchel_nielsen, dict(twists=0)),
+        (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (pants.fenchel_nielsen, dict(twists=0)), (pants.svg, dict(size=100)),
         (octagon.dehn_twist, dict(curve=curve, power=1)), (octagon.dehn_twist_words, dict(curve=curve, power=1)),
         (octagon.twist, dict(curve=curve, by=1)),
         (Surface.load, dict(path="none")), (octagon.save, dict(path="none")), (octagon.export, dict(format="domain", path="none")),
@@ -114,9 +115,11 @@ def calls(octagon, net, bolza):
         (element, dict(z=0j)),
         (Interval, dict(lower=1, upper=2, proved=True)), (x.overlaps, dict(other=x)), (x.rounded, dict(bits=2)), (x.sqrt, dict(bits=2)),
         (x.__pow__, dict(exponent=2)), (x.flint, dict(bits=2)), (Interval.maximum, dict(intervals=[x])), (Interval.minimum, dict(intervals=[x])),
-        (epsnet.ends, dict(intervals=[x])), (Gaussian, dict(re=1, im=1)), (epsnet.ComplexInterval, dict(re=x, im=x)),
+        (epsnet.ends, dict(intervals=[x])), (epsnet.mids, dict(intervals=[x])), (Gaussian, dict(re=1, im=1)), (epsnet.ComplexInterval, dict(re=x, im=x)),
         (epsnet.load, dict(path="none", check=True, progress=False)), (epsnet.certify, dict(path="none", threads=1, progress=False)),
-        (epsnet.map, dict(function=len, surfaces=[], workers=1, progress=False)),
+        (epsnet.map, dict(function=len, surfaces=[], workers=1, on_error="raise", progress=False)), (epsnet.table, dict(found=np.zeros(1, dtype=[("x", float)]))),
+        (words.letters, dict(word=[0])), (octagon.random_points, dict(n=1, seed=1)), (octagon.exponential, dict(p=0, direction=0, length=1)),
+        (octagon.loops_at, dict(p=0, up_to=2)), (octagon.injectivity_radius, dict(p=0)), (group.fixed_point_list, dict(i=1)), (words.text, dict(word=element)), (words.element, dict(letters="aB")),
     ]
 
 
@@ -129,8 +132,8 @@ def test_every_wrong_argument_is_named(calls, tmp_path, monkeypatch):
     problems = []
     for function, right in calls:
         for name in right:
-            # A text is right for the name of a file, a title and a relation, and no other number is.
-            for wrong in [Nonsense()] + ([10**30] if name in ("path", "title", "relation") else ["abc"]):
+            # A text is right for the name of a file, a title, a relation and letters, and no other number is.
+            for wrong in [Nonsense()] + ([10**30] if name in ("path", "title", "relation", "letters") else ["abc"]):
                 try:
                     function(**{**right, name: wrong})
                     outcome = "returned"
@@ -170,7 +173,8 @@ def test_the_list_of_calls_is_complete(calls):
         (lambda s, n: n.svg(colour="x"), "colour"), (lambda s, n: n.svg(show=[3]), "show"), (lambda s, n: n.svg(show=3), "show"),
         (lambda s, n: n.export("vtu", distance_from=10**6), "distance_from"), (lambda s, n: n.export("off", distance_from=0), "distance_from"),
         (lambda s, n: n.distances("v0"), "rows"), (lambda s, n: n.distances(0, [10**6]), "columns"), (lambda s, n: n.distances(True), "rows"),
-        (lambda s, n: n.point_of_triangle(0, (1, 1)), "weights"), (lambda s, n: s.regular(1), "genus"), (lambda s, n: s.named("nobody"), "name"),
+        (lambda s, n: n.point_of_triangle(0, (1, 1)), "weights"), (lambda s, n: s.regular(1), "genus"), (lambda s, n: s.named("nobody"), "name"), (lambda s, n: s.named("wiman"), "name"), (lambda s, n: s.named("klein", 4), "name"),
+        (lambda s, n: Surface.fenchel_nielsen(6 * [1], 6 * [0]), "graph"),
         (lambda s, n: s.distance(0, "v3"), "q"), (lambda s, n: s.distance((0, "one", 0), 0), "p"), (lambda s, n: s.centre(7), "tile"),
         (lambda s, n: s.spectrum("1/0"), "up_to"), (lambda s, n: s.eigenvalues(0), "count"), (lambda s, n: s.eigenvalues(below=10**5), "below"),
         (lambda s, n: s.eigenvalues(3, below=1), "below"), (lambda s, n: s.eigenvalues(digits=11), "digits"), (lambda s, n: s.eigenvalues(epsilon=-1), "epsilon"),
@@ -178,7 +182,9 @@ def test_the_list_of_calls_is_complete(calls):
         (lambda s, n: s.systole().save("s.epsn"), "path"), (lambda s, n: s.spectrum(1).save("s.epsn"), "path"),
         (lambda s, n: Surface([[1]], []), "tiles"), (lambda s, n: Surface(s.tiles, [(0, 0)]), "gluing"), (lambda s, n: s.octagon(half=[0]), "half"),
         (lambda s, n: Surface.fenchel_nielsen(1, 0, [(0, "1")]), "graph"), (lambda s, n: s.element([0]).sl2r(kind="float"), "kind"),
-        (lambda s, n: Interval(1, 2) ** 0.5, "exponent"),
+        (lambda s, n: Interval(1, 2) ** 0.5, "exponent"), (lambda s, n: s.octagon(), "seed"),
+        (lambda s, n: s.fundamental_group().element("az"), "letters"), (lambda s, n: s.fundamental_group().element([0]), "letters"),
+        (lambda s, n: s.fundamental_group().letters([99]), "word"),
     ],
 )
 def test_errors_name_the_argument(octagon, net, make, place):

@@ -229,3 +229,77 @@ def test_files(tmp_path, octagon):
         assert isinstance(loaded, kind) and loaded == measured and loaded.proved and loaded.surface == octagon
         assert not epsnet.load(path, check=False).proved and epsnet.certify(path).verified
         assert loaded.net.surface.genus == 2
+
+
+def test_random_points_are_uniform(octagon, pants):
+    for surface in (octagon, pants, epsnet.Surface.named("klein")):
+        points = surface.random_points(4000, seed=3)
+        assert points == surface.random_points(4000, seed=3) != surface.random_points(4000, seed=4) and surface.random_points(0, seed=1) == []
+        net = surface.net("0.4")
+        found = [net.locate(p) for p in points]
+        assert {at.triangle for at in found} <= set(range(len(net.triangles)))
+        # Each triangle has its share of the area, the excess of its angles.
+        z = net.corners
+        turned = [(np.roll(z, -k, axis=1) - z) / (1 - z.conj() * np.roll(z, -k, axis=1)) for k in (1, 2)]
+        areas = np.pi - abs(np.angle(turned[1] / turned[0])).sum(axis=1)
+        counts = np.bincount([at.triangle for at in found], minlength=len(areas))
+        expected = 4000 * areas / areas.sum()
+        assert abs(areas.sum() - surface.area.mid) < 1e-6
+        statistic = ((counts - expected) ** 2 / expected).sum()
+        assert abs(statistic - len(areas)) < 5 * np.sqrt(2 * len(areas))
+
+
+def test_the_exponential_map(octagon, pants):
+    for surface in (octagon, pants):
+        p = surface.centre()
+        for direction in (0, 1.5, "-2.5"):
+            q = surface.exponential(p, direction, "0.05")
+            assert abs(surface.distance(p, q).mid - 0.05) < 1e-12
+        assert abs(surface.exponential(p, 0.3, 0).x - p.x) < 1e-29
+        assert surface.exponential(p, 1, 40).tile < len(surface.tiles)
+    # All the way around a closed geodesic through the centre of the regular octagon.
+    bolza = epsnet.Surface.regular(2)
+    q = bolza.exponential(bolza.centre(), 0, bolza.systole().mid)
+    assert bolza.distance(bolza.centre(), q) < 1e-12
+
+
+def test_loops_and_the_injectivity_radius(octagon, bolza):
+    for surface, p in ((octagon, octagon.centre()), (octagon, octagon.point(0, 0.2, 0.3)), (bolza, bolza.centre())):
+        radius = surface.injectivity_radius(p)
+        loops = surface.loops_at(p, "5")
+        assert radius.proved and radius.width < 1e-12 and all(loop.length.proved and loop.point == p for loop in loops)
+        assert loops[0].length.overlaps(2 * radius) and surface.systole() <= loops[0].length + 1e-12
+        lengths = [loop.length.mid for loop in loops]
+        assert lengths == pytest.approx(sorted(lengths)) and lengths[-1] <= 5 and len(set(loops)) == len(loops)
+        # As many as pairs of lifts of p within that distance, counted by the sides of the Dirichlet domain.
+        elements, waiting = {surface.element([])}, [surface.element([])]
+        sides = [side.isometry for side in surface.dirichlet_domain(p).sides]
+        z = complex(float(p.x), float(p.y))
+        while waiting:
+            g = waiting.pop()
+            for side in sides:
+                h = g * side
+                w = h(z)
+                if h not in elements and 2 * np.arctanh(abs((w - z) / (1 - z.conjugate() * w))) < 5:
+                    elements.add(h)
+                    waiting.append(h)
+        assert len(loops) == (len(elements) - 1) // 2
+    assert octagon.embedded_disk("0.1").upper >= octagon.injectivity_radius(octagon.centre()).lower
+    with pytest.raises(epsnet.LimitError):
+        octagon.loops_at(octagon.centre(), 100)
+    with pytest.raises(epsnet.EpsnetError):
+        octagon.loops_at((0, 0.99, 0), 1)
+
+
+def test_fixed_points_of_isometries(octagon, bolza):
+    group = octagon.isometries()
+    points = group.fixed_point_list(1)
+    assert len(points) == 6 and epsnet.Point(0, 0, 0) in points  # The Weierstrass points; the octagon is symmetric.
+    assert min(octagon.distance(p, q).lower for k, p in enumerate(points) for q in points[:k]) > 0.1
+    group = bolza.isometries()
+    for i in group.generators:
+        if group.fixed_points(i) is None:
+            with pytest.raises(epsnet.ArgumentError):
+                group.fixed_point_list(i)
+        else:
+            assert len(group.fixed_point_list(i)) == group.fixed_points(i)

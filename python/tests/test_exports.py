@@ -22,14 +22,14 @@ def test_centred_corners_have_no_small_angles(net):
     assert np.allclose(lengths.reshape(-1)[net.edge_darts], net.edge_lengths)
 
 
-@pytest.mark.parametrize("format, name", [("gmsh", "net.msh"), ("vtu", "net.vtu")])
+@pytest.mark.parametrize("format, name", [("gmsh-glued", "net.msh"), ("vtu", "net.vtu")])
 def test_meshio_reads_the_glued_mesh(tmp_path, net, format, name):
     meshio = pytest.importorskip("meshio")
     net.export(format, tmp_path / name)
     mesh = meshio.read(tmp_path / name)
     (cells,) = mesh.cells
     assert cells.type == "triangle"
-    if format == "gmsh":
+    if format == "gmsh-glued":
         assert len(mesh.points) == len(net) and (cells.data == net.triangles).all()
     else:
         assert (mesh.cell_data["vertices"][0] == net.triangles).all()
@@ -39,10 +39,30 @@ def test_meshio_reads_the_glued_mesh(tmp_path, net, format, name):
     assert np.allclose(np.ravel(mesh.cell_data["circumradius"][0]), net.circumradii)
 
 
+def test_meshio_reads_the_planar_mesh(tmp_path, net):
+    meshio = pytest.importorskip("meshio")
+    net.export("gmsh", tmp_path / "net.msh")
+    mesh = meshio.read(tmp_path / "net.msh")
+    triangles, vertex = mesh.cells_dict["triangle"], mesh.point_data["vertex"].astype(int)
+    assert (vertex[triangles] == net.triangles).all()
+    x, y = mesh.points.T[:2]
+    assert np.allclose(mesh.point_data["weight"], 4 / (1 - x**2 - y**2) ** 2)
+    a, b, c = (x + 1j * y)[triangles].T
+    assert (((b - a).conj() * (c - a)).imag > 0).all()
+    lines = mesh.cells_dict["line"]
+    ends = [tuple(sorted(vertex[line])) for line in lines]
+    assert ends and all(ends.count(pair) % 2 == 0 for pair in ends)
+    # FreeFEM's file has the same triangles.
+    net.export("medit", tmp_path / "net.mesh")
+    medit = meshio.read(tmp_path / "net.mesh")
+    assert np.allclose(medit.points[medit.cells_dict["triangle"]], mesh.points[triangles][:, :, :2])
+    assert (medit.point_data["medit:ref"][medit.cells_dict["triangle"]] == net.triangles + 1).all()
+
+
 def test_formats(net, tmp_path):
     assert net.export("edges").startswith(b"u\tv\tlength\n") and net.export("off").startswith(b"OFF\n")
     assert net.export("json", tmp_path / "mesh.json") is None and (tmp_path / "mesh.json").read_bytes() == net.export("json")
-    with pytest.raises(epsnet.ArgumentError, match='"gmsh", "vtu"'):
+    with pytest.raises(epsnet.ArgumentError, match='"gmsh", "gmsh-glued", "medit"'):
         net.export("stl")
     with pytest.raises(epsnet.FileError):
         net.export("off", tmp_path)

@@ -347,3 +347,18 @@ def test_floats_mean_the_nearest_surface(octagon):
 def test_matrices_of_no_surface_are_refused(generators, message):
     with pytest.raises(epsnet.SurfaceError, match=message):
         Surface.from_matrices(generators)
+
+
+def test_letters_are_products_of_generators(octagon, pants, bolza):
+    for surface in (octagon, pants, bolza, Surface.named("klein"), octagon.cover(degree=3, seed=1)):
+        group = surface.fundamental_group()
+        assert all(group.element(relation).is_identity() for relation in group.relations)
+        assert [group.letters(g) for g in group.generators] == [(k + 1,) for k in range(len(group.generators))]
+        for word in surface.matrices()["words"]:
+            assert group.element(group.text(word)) == surface.element(word) == group.element(group.letters(word))
+        geodesic = surface.systole().geodesic
+        lengths = group.element(group.text(geodesic)).translation_length, geodesic.length
+        assert lengths[0].overlaps(lengths[1])
+    group = octagon.fundamental_group()
+    assert group.text((1, -2)) == "aB" and group.text(octagon.element([])) == "" and group.element("").is_identity()
+    assert group.element("aA").is_identity() and repr(group) == "<FundamentalGroup with 4 generators, 1 relation>"

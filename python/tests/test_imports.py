@@ -1,7 +1,11 @@
 """The imports of the package run one way, also those for annotations alone (TYPE_CHECKING), but for those of `_annotations`."""
 import ast
 import graphlib
+import os
 import pathlib
+import shutil
+import subprocess
+import sys
 
 PACKAGE = pathlib.Path(__file__).parents[1] / "epsnet"
 
@@ -43,3 +47,10 @@ def test_a_circle_would_be_found():
             continue
         assert False, text
     assert order_of({"_annotations": "if TYPE_CHECKING:\n    from .b import x", "b": "from ._annotations import y"}) == ["_annotations", "b"]
+
+
+def test_a_module_that_is_not_built_says_how_to_build_it(tmp_path):
+    shutil.copytree(PACKAGE, tmp_path / "epsnet")
+    result = subprocess.run([sys.executable, "-c", "import epsnet"], cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(tmp_path)}, capture_output=True, text=True)
+    last = result.stderr.strip().splitlines()[-1]
+    assert result.returncode == 1 and last.startswith("ImportError: epsnet's compiled module") and "./run python" in last and "circular" not in last.split("Python part")[1]

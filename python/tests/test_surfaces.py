@@ -2,6 +2,7 @@
 import pickle
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
@@ -78,7 +79,7 @@ def test_exchange_with_cgal(tmp_path, octagon):
     octagon.export("domain", path)
     assert Surface.load(path) == octagon
     assert octagon.export("triangulation").startswith("yes") or octagon.export("triangulation")
-    with pytest.raises(ValueError, match='"domain" or "triangulation"'):
+    with pytest.raises(ValueError, match='"domain", "triangulation", "edges"'):
         octagon.export("obj")
 
 
@@ -199,3 +200,66 @@ def test_an_interval_is_no_number():
 def test_random_octagons_are_closed_surfaces(seed):
     surface = Surface.octagon(seed)
     assert surface.genus == 2 and Surface(surface.tiles, surface.gluing) == surface
+
+
+def test_the_graph_of_the_tiles(octagon, pants, bolza):
+    klein = Surface.named("klein")
+    for surface in (octagon, pants, bolza, klein, klein.cover(degree=2, seed=1)):
+        graph = surface.graph()
+        assert graph.vertices - len(graph.edges) + len(graph.faces) == 2 - 2 * surface.genus
+        sides = [tuple(sorted((face[k], face[(k + 1) % len(face)]))) for face in graph.faces for k in range(len(face))]
+        assert sorted(sides) == sorted(2 * [tuple(sorted(edge)) for edge in graph.edges.tolist()])
+        for name, nodes, edges in (("adjacency", graph.vertices, graph.edges), ("face-adjacency", len(graph.faces), graph.face_edges)):
+            matrix = np.zeros((nodes, nodes), int)
+            for u, v in edges:
+                matrix[u, v] += 1
+                matrix[v, u] += 1
+            header, size, *rows = surface.export(name).splitlines()
+            assert header == "%%MatrixMarket matrix coordinate integer symmetric" and size == f"{nodes} {nodes} {len(rows)}"
+            read = np.zeros_like(matrix)
+            for i, j, count in (map(int, row.split()) for row in rows):
+                read[i - 1, j - 1] = read[j - 1, i - 1] = count
+            assert (read == matrix).all()
+        header, *rows = surface.export("edges").splitlines()
+        assert header.split() == ["u", "v", "left", "right", "length"]
+        assert [[int(x) for x in row.split()[:4]] for row in rows] == np.hstack([graph.edges, graph.face_edges]).tolist()
+    assert {row.split()[4][:8] for row in klein.export("edges").splitlines()[1:]} == {"0.566256"}
+    # Those of the net agree with its arrays.
+    net = bolza.net("0.5")
+    assert int(net.export("adjacency").split()[5]) == len(net) and int(net.export("face-adjacency").split()[5]) == len(net.triangles)
+    networkx = pytest.importorskip("networkx")
+    assert networkx.diameter(networkx.Graph(klein.graph().face_edges.tolist())) == 3
+
+
+def test_lists_of_coordinates_have_a_graph():
+    lists = [1, 2, 3], [0, "1/2", 0]
+    theta = Surface.fenchel_nielsen(*lists)
+    assert theta == Surface.fenchel_nielsen(*lists, "theta") == Surface.fenchel_nielsen(*lists, "0-1 0-1 0-1") != Surface.fenchel_nielsen(*lists, "chain")
+    assert Surface.fenchel_nielsen(*lists, seed=1) == Surface.fenchel_nielsen(*lists, "random", seed=1)
+    assert Surface.fenchel_nielsen(6 * [1], 0, "ring").genus == 3
+    with pytest.raises(epsnet.EpsnetError, match="^graph: needed for these lengths and twists: chain, ring, tree"):
+        Surface.fenchel_nielsen(6 * [1], 0)
+
+
+def test_families_take_a_genus():
+    seven = Surface.named("wiman", 7)
+    assert seven == Surface.named("wiman-7") and seven.name == "wiman-7" and Surface.named("klein", 3).name == "klein"
+    with pytest.raises(epsnet.SurfaceError, match="wiman is a family, expected a genus as well, as in wiman-7"):
+        Surface.named("wiman")
+
+
+def test_names_and_areas(octagon, tmp_path):
+    klein = Surface.named("klein")
+    names = {
+        octagon: f"octagon(seed={octagon.name[13:-1]})", klein: "klein", Surface.regular(4): "regular(4)",
+        Surface.fenchel_nielsen(genus=3, seed=7): "fenchel_nielsen(genus=3, seed=7)", klein.cover(degree=2, seed=1): "cover of degree 2 of klein",
+    }
+    for surface, name in names.items():
+        assert surface.name == name and repr(surface) == f"<Surface {name}, genus {surface.genus}>"
+        assert surface.area.proved and 4 * np.pi * (surface.genus - 1) in surface.area and surface.area.width < 1e-14 * surface.genus
+    klein.save(tmp_path / "klein.json")
+    again = Surface.load(tmp_path / "klein.json")
+    assert again == klein and again.name == "" and repr(again) == "<Surface that is a map of type {7, 3}, genus 3>"
+    Surface.regular(4).save(tmp_path / "regular.json")
+    assert repr(Surface.load(tmp_path / "regular.json")) == "<Surface regular(4), genus 4>"
+    assert repr(Surface(octagon.tiles, octagon.gluing)) == "<Surface of 1 tile, genus 2>"

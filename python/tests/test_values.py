@@ -26,6 +26,7 @@ def values(octagon, pants, bolza, net):
         octagon.distance((0, 0.1, 0), 0), octagon.distance((0, octagon.tiles[0][0].re, octagon.tiles[0][0].im), 0), octagon.diameter("0.01"),
         octagon.radius("0.1"), octagon.embedded_disk("0.01"), octagon.eccentricity(0), domain, domain.sides, polygon, polygon.sides, f, bolza.element([0]),
         f.axis(), f.su11(), f.a, Interval(1, "4/3", proved=True), octagon.pants(), octagon.pants().cuffs[1],
+        octagon.isometries(), octagon.isometries()[1], octagon.isometries().proof, octagon.fundamental_group(), octagon.graph(), octagon.area, octagon.loops_at(octagon.centre(), 3)[0],
     ]
 
 
@@ -149,6 +150,44 @@ def test_an_error_ends_the_map_and_says_where():
     with pytest.raises(KeyError):
         epsnet.map(work, [heavy, surfaces[0]], workers=2)
     assert not [thread for thread in threading.enumerate() if thread.name.startswith("ThreadPool") and not joined(thread)]
+
+
+def test_errors_can_be_recorded():
+    surfaces = [Surface.octagon(seed) for seed in range(3)]
+
+    def describe(surface):
+        if surface == surfaces[1]:
+            surface.net("abc")
+        return {"systole": surface.systole(), "genus": surface.genus, "text": "x", "point": [1]}
+
+    found = epsnet.map(describe, surfaces, on_error="record")
+    assert list(found["error"]) == ["", found["error"][1], ""] and found["error"][1].startswith("ArgumentError: epsilon: ")
+    assert np.isnan(found["systole"]["lower"][1]) and not found["systole"]["proved"][1] and found["systole"]["proved"][[0, 2]].all()
+    assert np.isnan(found["genus"][1]) and found["genus"][0] == 2 and list(found["text"]) == ["x", "", "x"] and list(found["point"]) == [[1], None, [1]]
+    assert list(epsnet.map(lambda surface: 1 / 0, surfaces, on_error="record").dtype.names) == ["error"]
+    assert list(epsnet.map(lambda surface: surface.genus, surfaces, on_error="record")["error"]) == [""] * 3
+    with pytest.raises(epsnet.ArgumentError):
+        epsnet.map(lambda surface: {"error": 1}, surfaces, on_error="record")
+
+
+def test_the_table_has_columns_of_floats():
+    surfaces = [Surface.octagon(seed) for seed in range(3)]
+    found = epsnet.map(lambda surface: {"genus": surface.genus, "systole": surface.systole()}, surfaces)
+    columns = epsnet.table(found)
+    assert list(columns) == ["genus", "systole", "systole_lower", "systole_upper"]
+    assert all(column.shape == (3,) for column in columns.values()) and columns["systole"].dtype == float
+    assert (columns["systole_lower"] <= columns["systole"]).all() and (columns["systole"] <= columns["systole_upper"]).all()
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(columns)
+    assert list(frame.dtypes.astype(str)) == ["int64", "float64", "float64", "float64"] and frame["systole"].mean() > 0
+
+
+def test_intervals_become_arrays_of_floats():
+    values = [Interval(1, 2), Interval("1/3", "1/3")]
+    assert epsnet.mids(values).tolist() == [1.5, 1 / 3] and epsnet.mids([]).dtype == float
+    # A float that nobody asked for would look proved: SymPy, for one, takes what float() returns.
+    with pytest.raises(TypeError, match=r"epsnet\.mids"):
+        np.asarray(values, float)
 
 
 def joined(thread):

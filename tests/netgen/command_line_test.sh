@@ -57,9 +57,12 @@ good radius corners.json --width 1 -o corner-radius.json
 verified corner-radius.json
 good isometric s.json net.json
 grep -q '^isometric: yes$' output || complain "a surface is isometric to itself: $(cat output)"
-good pants s.json -o pants.json --json --threads 1
+good pants s.json -o pants.json --svg pants.svg --json --threads 1
 grep -q '"verdict":"VERIFIED","genus":2,"graph":"0-1 [01]-[01] [01]-[01]","cuffs":\[{"ends":\[\[0,0\],\[1,0\]\],"length":\[0.5476' output || complain "the pants of an octagon: $(cat output)"
 verified pants.json
+grep -q 'cuff 2, of length' pants.svg || complain "no cuffs in the picture of pants"
+good draw pants.json -o drawn.svg
+same pants.svg drawn.svg
 good info pants.json
 grep -q '^file: a pants decomposition (not verified here: run certify)$' output || complain "what is in a pants file: $(cat output)"
 good surface fenchel-nielsen --from pants.json -o from-pants.json
@@ -699,6 +702,18 @@ bad 64 '^epsnet: --lengths: expected 1 or 3' surface fenchel-nielsen --genus 2 -
 bad 64 '^epsnet: --twists: expected 1 or 6' surface fenchel-nielsen --genus 3 --twists 1,2 -o out/x.json
 bad 64 '^epsnet: --twists: expected a number' surface fenchel-nielsen --genus 3 --twists x -o out/x.json
 bad 64 '^epsnet: --seed: needed' surface fenchel-nielsen --genus 3 -o out/x.json
+bad 64 '^epsnet: --pants-graph: needed for these lengths and twists: chain, ring, tree, edges such as "0-1 0-1 0-1", or random, with a seed$' \
+  surface fenchel-nielsen --genus 3 --lengths 1 --twists 0 -o out/x.json
+bad 64 '^epsnet: --pants-graph: needed' surface fenchel-nielsen --lengths 1,2,3,4,5,6 --twists 0,0,0,0,0,0 -o out/x.json
+bad 64 '^epsnet: --pants-graph: theta is a graph for genus 2' surface fenchel-nielsen --genus 3 --pants-graph theta --seed 1 -o out/x.json
+good surface fenchel-nielsen --lengths 1,2,3 --twists 0,0.5,1 -o x.json
+good surface fenchel-nielsen --pants-graph '0-1 0-1 0-1' --lengths 1,2,3 --twists 0,0.5,1 -o y.json
+same x.json y.json
+good surface named wiman --genus 7 -o x.json
+good surface named wiman-7 -o y.json
+same x.json y.json
+bad 64 '^epsnet: NAME: wiman is a family, expected a genus as well, as in wiman-7$' surface named wiman -o out/x.json
+bad 64 '^epsnet: NAME: klein has genus 3, not 4$' surface named klein --genus 4 -o out/x.json
 bad 64 '^epsnet: --genus: needed' surface fenchel-nielsen -o out/x.json
 bad 64 '^epsnet: --pants-graph: ' surface fenchel-nielsen --pants-graph star -o out/x.json
 bad 64 '^epsnet: --lengths: edge 0' surface fenchel-nielsen --genus 2 --seed 1 --lengths 1e-30 -o out/x.json

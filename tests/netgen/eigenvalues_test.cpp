@@ -599,9 +599,9 @@ TEST(Eigenvalues, NetsTooCoarseForFunctionsAreErrors) {
 
 TEST(Eigenvalues, NearZeroAreNotSoughtInVain) {
   for (const char* length : {"0.00001", "0.00000001"}) {
-    EXPECT_THAT([&] { (void)eigenvalues(with_cuff(length), {.below = 0.25}); },
+    EXPECT_THAT([&] { (void)unproved::eigenvalues(with_cuff(length), {.below = 0.25}); },
                 ThrowsMessage<NetError>(HasSubstr("around a closed geodesic that is")));
-    EXPECT_THAT([&] { (void)eigenvalues(with_cuff(length), {.count = 1, .digits = 1}); },
+    EXPECT_THAT([&] { (void)unproved::eigenvalues(with_cuff(length), {.count = 1, .digits = 1}); },
                 ThrowsMessage<NetError>(HasSubstr("around a closed geodesic that is")));
   }
 }

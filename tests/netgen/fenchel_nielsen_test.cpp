@@ -298,7 +298,11 @@ TEST(FenchelNielsenRequest, WhatIsGivenIsCheckedBeforeASeedIsAskedFor) {
   EXPECT_EQ(blamed(R"({"genus": 2, "twists": ["x"]})"), "twists");
   EXPECT_EQ(blamed(R"({"graph": "star", "genus": 2})"), "graph");
   EXPECT_EQ(blamed(R"({"graph": "0-0 0-0 1-1"})"), "graph");
-  EXPECT_EQ(blamed(R"({"genus": 2, "lengths": [1], "twists": [0]})"), "seed");
+  EXPECT_EQ(blamed(R"({"genus": 2, "lengths": [1], "twists": [0]})"), "nothing");
+  EXPECT_EQ(blamed(R"({"genus": 2, "graph": "random", "lengths": [1], "twists": [0]})"), "seed");
+  EXPECT_EQ(blamed(R"({"genus": 3, "lengths": [1], "twists": [0]})"), "graph");
+  EXPECT_EQ(blamed(R"({"lengths": [1, 1, 1, 1, 1, 1], "twists": [0]})"), "graph");
+  EXPECT_EQ(blamed(R"({"genus": 3, "graph": "theta", "seed": 1})"), "graph");
   EXPECT_EQ(blamed(R"({"graph": "ring", "genus": 2, "lengths": [1], "twists": [0]})"), "nothing");
 }
 
@@ -319,7 +323,7 @@ TEST(FenchelNielsenRequest, BadOnesAreNamed) {
   expect_request_error(R"({"genus": 2})", "seed: needed");
   expect_request_error(R"({"seed": 2})", "genus: needed");
   expect_request_error(R"({"genus": 3, "graph": "0-1 0-1 0-1", "seed": 1})", "the pants graph has genus 2");
-  expect_request_error(R"({"graph": "star", "genus": 2})", "expected chain, ring, tree, random");
+  expect_request_error(R"({"graph": "star", "genus": 2})", "expected chain, ring, tree, theta, random");
   expect_request_error(R"({"graph": "ring", "genus": 2, "lengths": [1, 2], "seed": 1})", "expected 1 or 3");
   expect_request_error(R"({"graph": "ring", "genus": 2, "lengths": [NaN], "seed": 1})", "lengths");
   expect_request_error(R"({"graph": "ring", "genus": 2, "lengths": ["abc"], "seed": 1})", "not \"abc\"");

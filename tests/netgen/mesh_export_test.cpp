@@ -133,7 +133,7 @@ TEST(MeshExport, VtuCountsWhatIsThere) {
   EXPECT_THAT(vtu, ::testing::HasSubstr("NumberOfPoints=\"" + std::to_string(off.points.size()) +
                                         "\" NumberOfCells=\"" + std::to_string(off.triangles.size()) + "\""));
   const auto lines = static_cast<std::size_t>(std::count(vtu.begin(), vtu.end(), '\n'));
-  EXPECT_EQ(lines, 2 * off.points.size() + 7 * off.triangles.size() + 33);
+  EXPECT_EQ(lines, 3 * off.points.size() + 7 * off.triangles.size() + 35);
 }
 
 /// The text between "$name" and "$Endname".
@@ -145,10 +145,10 @@ std::istringstream section(const std::string& text, const std::string& name) {
 }
 
 /// Nodes are the vertices; every element has its triangle in coordinates of its own.
-TEST(MeshExport, GmshIsTheGluedSurface) {
+TEST(MeshExport, GluedGmshIsTheSurface) {
   const certify::NetDocument net = net_of("0.3");
   const NetGeometry geometry(net);
-  const std::string msh = text(write_gmsh, net);
+  const std::string msh = text(write_gmsh_glued, net);
   std::size_t count = 0;
   section(msh, "Nodes") >> count;
   EXPECT_EQ(count, net.vertices.size());
@@ -180,6 +180,134 @@ TEST(MeshExport, GmshIsTheGluedSurface) {
   }
 }
 
+/// A planar mesh as Medit's file has it; indices count from 0 on.
+struct Medit {
+  std::vector<Point> points;
+  std::vector<std::size_t> vertex;
+  std::vector<std::array<std::size_t, 3>> edges;  ///< Ends and side.
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::set<std::pair<std::size_t, std::size_t>> glued;  ///< Sides, the smaller first.
+};
+
+Medit read_medit(const std::string& text) {
+  Medit result;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string comment, is, glued, to;
+    std::size_t first = 0;
+    std::size_t second = 0;
+    if (words >> comment >> is >> first >> glued >> glued >> to >> to >> second && comment == "#")
+      result.glued.emplace(first - 1, second - 1);
+    std::size_t count = 0;
+    if (line == "Vertices") {
+      in >> count;
+      result.points.resize(count);
+      result.vertex.resize(count);
+      for (std::size_t i = 0; i < count; ++i) in >> result.points[i].x >> result.points[i].y >> result.vertex[i];
+      for (std::size_t& vertex : result.vertex) --vertex;
+    } else if (line == "Edges" || line == "Triangles") {
+      auto& rows = line == "Edges" ? result.edges : result.triangles;
+      in >> count;
+      rows.resize(count);
+      std::size_t label = 0;
+      for (auto& row : rows) {
+        for (std::size_t& x : row) {
+          in >> x;
+          --x;
+        }
+        if (line == "Triangles") in >> label;
+      }
+    }
+  }
+  return result;
+}
+
+/// The sides bound the polygon, in this order; one isometry takes a side to its partner, with the same vertices.
+TEST(MeshExport, MeditIsAPolygonWithGluedSides) {
+  const Surface klein = fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1));
+  for (const certify::NetDocument& net : {net_of("0.3"), net_of("2"), compute_net(klein, Length("0.4")).net}) {
+    const Medit mesh = read_medit(text(write_medit, net));
+    ASSERT_EQ(mesh.triangles.size(), net.triangles.size());
+    ASSERT_FALSE(mesh.edges.empty());
+    std::vector<std::vector<std::size_t>> sides;
+    for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+      EXPECT_EQ(mesh.edges[i][1], mesh.edges[(i + 1) % mesh.edges.size()][0]);
+      if (sides.size() == mesh.edges[i][2]) sides.push_back({mesh.edges[i][0]});
+      ASSERT_EQ(sides.size(), mesh.edges[i][2] + 1);
+      sides.back().push_back(mesh.edges[i][1]);
+    }
+    ASSERT_EQ(mesh.glued.size() * 2, sides.size());
+    EXPECT_GE(sides.size(), 4 * NetGeometry(net).genus());
+    std::set<std::size_t> seen;
+    for (const auto& [first, second] : mesh.glued) {
+      seen.insert({first, second});
+      const std::vector<std::size_t>& side = sides[first];
+      std::vector<std::size_t> partner(sides[second].rbegin(), sides[second].rend());
+      ASSERT_EQ(side.size(), partner.size());
+      for (std::size_t i = 0; i < side.size(); ++i) {
+        EXPECT_EQ(mesh.vertex[side[i]], mesh.vertex[partner[i]]);
+        for (std::size_t j = 0; j < i; ++j) {
+          EXPECT_NEAR(distance(mesh.points[side[i]], mesh.points[side[j]]),
+                      distance(mesh.points[partner[i]], mesh.points[partner[j]]), 1e-6);
+        }
+      }
+    }
+    EXPECT_EQ(seen.size(), sides.size());
+    for (const auto& [a, b, c] : mesh.triangles)
+      EXPECT_GT(cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]), 0);
+  }
+}
+
+/// Gmsh's file has the same mesh: as many nodes of each corner, side and inside, and the nodes of every pair of sides.
+TEST(MeshExport, GmshHasTheSidesOfMedit) {
+  const certify::NetDocument net = net_of("0.3");
+  const Medit mesh = read_medit(text(write_medit, net));
+  const std::string msh = text(write_gmsh, net);
+  std::size_t corners = 0;
+  std::size_t curves = 0;
+  section(msh, "Entities") >> corners >> curves;
+  EXPECT_EQ(corners, 2 * mesh.glued.size());
+  EXPECT_EQ(curves, corners);
+  std::size_t blocks = 0;
+  std::size_t nodes = 0;
+  section(msh, "Nodes") >> blocks >> nodes;
+  EXPECT_EQ(nodes, mesh.points.size());
+  EXPECT_EQ(blocks, 2 * curves + 1);
+  std::size_t elements = 0;
+  section(msh, "Elements") >> blocks >> elements;
+  EXPECT_EQ(elements, mesh.triangles.size() + mesh.edges.size());
+  std::size_t pairs = 0;
+  section(msh, "Periodic") >> pairs;
+  EXPECT_EQ(pairs, mesh.glued.size());
+}
+
+/// Elements have the vertices of the net, and the corners of a lift as nodes of their own.
+TEST(MeshExport, MfemIsGluedWithDiscontinuousNodes) {
+  const certify::NetDocument net = net_of("0.1");
+  const Medit mesh = read_medit(text(write_medit, net));
+  const std::string mfem = text(write_mfem, net);
+  std::istringstream in(mfem.substr(mfem.find("elements\n") + 9));
+  std::size_t count = 0;
+  in >> count;
+  ASSERT_EQ(count, net.triangles.size());
+  for (const certify::NetDocument::Triangle& triangle : net.triangles) {
+    std::array<std::size_t, 5> row{};
+    for (std::size_t& x : row) in >> x;
+    EXPECT_EQ(row, (std::array<std::size_t, 5>{1, 2, triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]}));
+  }
+  std::istringstream nodes(mfem.substr(mfem.find("Ordering: 1\n") + 12));
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::size_t point : triangle) {
+      Point z;
+      nodes >> z.x >> z.y;
+      EXPECT_EQ(z, mesh.points[point]);
+    }
+  }
+  EXPECT_TRUE(nodes);
+  EXPECT_THROW(text(write_mfem, net_of("2")), ExchangeError);
+}
+
 /// Angles of the triangles that finite elements get are at least arcsin(1/(2 cosh(eps/2))).
 TEST(MeshExport, CentredCornersHaveNoSmallAngles) {
   for (const char* epsilon : {"0.1", "0.3", "0.5"}) {
@@ -202,7 +330,8 @@ TEST(MeshExport, CentredCornersHaveNoSmallAngles) {
 TEST(MeshExport, RefusesWhatIsNoNet) {
   certify::NetDocument net = net_of("0.5");
   net.triangles[0].vertex[1] = 1000000;
-  for (const Writer write : {write_off, write_vtu, write_gmsh, write_edges, write_mesh_json})
+  for (const Writer write :
+       {write_off, write_vtu, write_gmsh, write_gmsh_glued, write_medit, write_mfem, write_edges, write_mesh_json})
     EXPECT_THROW(text(write, net), NetGeometryError);
 }
 

@@ -167,10 +167,14 @@ grep -q '<title>closed geodesics</title>' geodesics.svg || complain 'no geodesic
 good net g3.json --epsilon 0.5 -o g3.json.net
 good view net.json -o geodesics.html --geodesics spectrum.json
 grep -q '"name": "closed geodesics"' geodesics.html || complain 'no geodesics in the page'
-for format in off vtu gmsh edges json; do
+for format in off vtu gmsh gmsh-glued medit edges adjacency face-adjacency json; do
   good export net.json --format $format -o mesh.$format
   "$epsnet" export net.json --format $format -o - | cmp -s - mesh.$format || complain "$format on standard output"
 done
+
+bad 1 'two edges of the net have the same ends; for MFEM they are one: take a smaller epsilon' export net.json --format mfem -o out/mesh.mesh
+good net s.json --epsilon 0.1 -o fine.json
+good export fine.json --format mfem -o mfem.mesh
 
 # Compact net files, both ways, and wherever a net file is read.
 good convert net.json net.epsn
@@ -282,7 +286,7 @@ bad 1 'infinite.json: lengths: expected a number.*"Infinity"' surface fenchel-ni
 bad 64 '--genus: expected an integer from 2 to 1000, not "1001"' surface regular --genus 1001 -o out/s.json
 bad 1 'not inside of the unit disk' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
-bad 64 'expected one of domain, triangulation, off, vtu, gmsh, edges, json, matrices, not "obj"' export fn.json --format obj -o out/e
+bad 64 'expected one of domain, triangulation, off, vtu, gmsh, gmsh-glued, medit, mfem, edges, adjacency, face-adjacency, json, matrices, not "obj"' export fn.json --format obj -o out/e
 bad 64 '--genus: expected an integer from 2 to 1000, not "three"' surface regular --genus three
 bad 64 '--seed = three: not a whole number' surface octagon --seed three -o out/s.json
 bad 1 'not inside of the unit disk' net bolza.json --epsilon 1 --base 0,1.1,0 -o out/n.json

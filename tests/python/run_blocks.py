@@ -15,5 +15,5 @@ with tempfile.TemporaryDirectory() as folder:
         exec(compile(block, f"{os.path.basename(sys.argv[1])}, block {k}", "exec"), names)
     written = set(os.listdir("."))
     os.chdir("/")
-for name in set(re.findall(r'"([a-z]+\.(?:epsn|json|svg|html|msh|tsv|txt|vtu))"', "".join(blocks))):
+for name in set(re.findall(r'"([a-z]+\.(?:epsn|json|svg|html|msh|mtx|tsv|txt|vtu))"', "".join(blocks))):
     assert name in written, f"{name} was not written"

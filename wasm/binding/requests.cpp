@@ -103,17 +103,22 @@ class Members {
   [[nodiscard]] static T as(const Json& value, const char* name) {
     try {
       if constexpr (std::is_unsigned_v<T> && !std::is_same_v<T, bool>) {
-        if (!value.is_number_unsigned()) throw std::invalid_argument(std::string(name) + ": expected a number >= 0");
+        if (!value.is_number_unsigned()) throw unexpected(value, name, "a number >= 0");
         if (value.get<std::uint64_t>() > std::numeric_limits<T>::max()) {
-          throw std::invalid_argument(std::string(name) + ": the number is too large");
+          throw unexpected(value, name, "a number up to " + std::to_string(std::numeric_limits<T>::max()));
         }
       } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
-        if (!value.is_number_integer()) throw std::invalid_argument(std::string(name) + ": expected an integer");
+        if (!value.is_number_integer()) throw unexpected(value, name, "an integer");
       }
       return value.get<T>();
     } catch (const Json::exception&) {
-      throw std::invalid_argument(std::string(name) + ": a value of this kind was not expected");
+      throw unexpected(value, name, "another kind of value");
     }
+  }
+  /// The error for a value, which it quotes.
+  [[nodiscard]] static std::invalid_argument unexpected(const Json& value, const char* name,
+                                                        const std::string& expected) {
+    return std::invalid_argument(std::string(name) + ": expected " + expected + ", not " + value.dump().substr(0, 80));
   }
 
   const Request& request_;
@@ -132,7 +137,7 @@ Surface surface_of(const Members& members) {
   if (recipe.has("octagon")) {
     const auto seed = recipe.get<std::int64_t>("octagon");
     if (seed < std::numeric_limits<std::int32_t>::min() || seed > std::numeric_limits<std::int32_t>::max()) {
-      throw std::invalid_argument("octagon: the seed is not a number of 32 bits");
+      throw std::invalid_argument("octagon: the seed " + std::to_string(seed) + " is not a number of 32 bits");
     }
     return random_octagon(static_cast<std::int32_t>(seed));
   }

@@ -133,7 +133,7 @@ export class Surface {
 }
 
 export interface FenchelNielsen {
-  /** "chain", "ring", "tree", "random", or the edges, as "0-1 0-1 0-1". */
+  /** "chain", "ring", "tree", "theta" (genus 2), "random", or the edges, as "0-1 0-1 0-1". */
   graph?: string;
   genus?: number;
   seed?: number;

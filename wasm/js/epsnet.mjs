@@ -85,6 +85,7 @@ function fail(started, event) {
 /** Asks the module (docs/wasm.md, "Requests"). Resolves to the members of the answer's object, and `files`, arrays of bytes. */
 export function ask(what, files = [], { signal, progress } = {}) {
   return new Promise((resolve, reject) => {
+    requireNumbers(what, "request");
     const aborted = () => reject(signal.reason ?? new DOMException("This operation was aborted", "AbortError"));
     if (signal?.aborted) return aborted();
     const job = { id: ++lastId, what, files, resolve, reject, signal, progress };
@@ -122,9 +123,23 @@ function bytesOf(data) {
 /** Options of the job, which are not of the request. */
 const OPTIONS = ["signal", "progress"];
 
-/** The options of a request without those of the job. */
-function members(options) {
+const PICTURE = ["size", "centre", "colour", "legend", "show", "eigenfunction"];
+
+/** The options of a request, which are among the known ones, without those of the job. */
+function members(options, known) {
+  for (const name of Object.keys(options)) {
+    if (!known.includes(name) && !OPTIONS.includes(name)) {
+      throw new EpsnetError("ArgumentError", `unknown option "${name}", expected ${[...known, ...OPTIONS].join(", ")}`);
+    }
+  }
   return Object.fromEntries(Object.entries(options).filter(([name, value]) => !OPTIONS.includes(name) && value !== undefined));
+}
+
+/** Throws for numbers that JSON does not have, wherever they are in a request. */
+function requireNumbers(value, name) {
+  if (typeof value === "number" && !Number.isFinite(value)) throw new EpsnetError("ArgumentError", `${name}: expected a number, not ${value}`);
+  if (value === null || typeof value !== "object") return;
+  for (const [member, inner] of Object.entries(value)) requireNumbers(inner, Array.isArray(value) ? name : member);
 }
 
 /** A file that both checkers were asked about: its bytes, and its certificate. */
@@ -140,7 +155,7 @@ export class ProvedFile {
   }
   /** Its picture, as SVG. */
   async svg({ layers = [], ...options } = {}) {
-    const what = { do: "svg", file: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+    const what = { do: "svg", file: 0, layers: layers.map((_, k) => k + 1), ...members(options, PICTURE) };
     return decoder.decode((await ask(what, [this.bytes, ...layers.map((layer) => layer.bytes)], options)).files[0]);
   }
 }
@@ -161,20 +176,22 @@ export class Net extends ProvedFile {
   }
   /** A page to travel in, as HTML: one file that needs nothing else. */
   async page({ layers = [], ...options } = {}) {
-    const what = { do: "page", net: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+    const what = { do: "page", net: 0, layers: layers.map((_, k) => k + 1), ...members(options, ["title"]) };
     return decoder.decode((await ask(what, [this.bytes, ...layers.map((layer) => layer.bytes)], options)).files[0]);
   }
   /** What the viewer of wasm/page shows of it. */
   async viewerData({ layers = [], ...options } = {}) {
-    const what = { do: "viewer", net: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+    const what = { do: "viewer", net: 0, layers: layers.map((_, k) => k + 1), ...members(options, ["title"]) };
     return JSON.parse((await ask(what, [this.bytes, ...layers.map((layer) => layer.bytes)], options)).json);
   }
   /** The distance of two points, {vertex}, {triangle, weights} or {tile, z}, with all shortest geodesics. */
   async distance(p, q, options = {}) {
+    members(options, []);
     return new ProvedFile(await ask({ do: "distance", surface: { file: 0 }, net: 0, p, q }, [this.bytes], options));
   }
   /** The triangle that contains a point. */
   async locate(point, options = {}) {
+    members(options, []);
     const { json, files, ...found } = await ask({ do: "locate", net: 0, point }, [this.bytes], options);
     return found;
   }
@@ -186,8 +203,8 @@ export class Surface {
     this.recipe = recipe;
     this.files = files;
   }
-  #ask(what, options = {}) {
-    return ask({ ...what, surface: this.recipe, ...members(options) }, this.files, options);
+  #ask(what, options = {}, known = []) {
+    return ask({ ...what, surface: this.recipe, ...members(options, known) }, this.files, options);
   }
   /** Facts: genus, tiles, area and more (`epsnet info --json`). */
   async info(options) {
@@ -200,11 +217,11 @@ export class Surface {
   }
   /** The picture of its tiles, as SVG. */
   async svg(options) {
-    return decoder.decode((await this.#ask({ do: "svg" }, options)).files[0]);
+    return decoder.decode((await this.#ask({ do: "svg" }, options, ["size"])).files[0]);
   }
   /** An ε-net; ε is exact: a string such as "0.1" or "1/10". Never resolves to a net that is not verified. */
   async net(epsilon, options) {
-    return new Net(await this.#ask({ do: "net", epsilon }, options));
+    return new Net(await this.#ask({ do: "net", epsilon }, options, ["pseudo", "sparse", "base"]));
   }
   /** A shortest closed geodesic. */
   async systole(options) {
@@ -220,15 +237,15 @@ export class Surface {
   }
   /** An enclosure of the diameter. */
   async diameter(options) {
-    return new ProvedFile(await this.#ask({ do: "diameter" }, options));
+    return new ProvedFile(await this.#ask({ do: "diameter" }, options, ["width"]));
   }
   /** An enclosure of the radius. */
   async radius(options) {
-    return new ProvedFile(await this.#ask({ do: "radius" }, options));
+    return new ProvedFile(await this.#ask({ do: "radius" }, options, ["width"]));
   }
   /** An enclosure of the radius of the largest embedded disk. */
   async embeddedDisk(options) {
-    return new ProvedFile(await this.#ask({ do: "embedded-disk" }, options));
+    return new ProvedFile(await this.#ask({ do: "embedded-disk" }, options, ["width"]));
   }
   /** The distance of two points {tile, z: [x, y]}; numbers are exact in strings. */
   async distance(p, q, options) {
@@ -236,7 +253,7 @@ export class Surface {
   }
   /** The first eigenvalues of the Laplacian. */
   async eigenvalues(options) {
-    return new Eigenvalues(await this.#ask({ do: "eigenvalues" }, options));
+    return new Eigenvalues(await this.#ask({ do: "eigenvalues" }, options, ["count", "below", "digits", "epsilon"]));
   }
 }
 
@@ -266,21 +283,23 @@ export function surfaceFromFile(data, name = "file") {
 }
 /** The coordinates that a request for Fenchel–Nielsen coordinates means: {genus, edges, lengths, twists}. */
 export async function coordinates(request, options = {}) {
+  members(options, []);
   const { json, files, ...found } = await ask({ do: "coordinates", fenchel_nielsen: request }, [], options);
   return found;
 }
 /** What both checkers say of a file: the object of `certify --json`, and `text`, that of `certify`. */
 export async function certify(data, options = {}) {
-  const { json, files, ...certificate } = await ask({ do: "certify", file: 0, ...members(options) }, [bytesOf(data)], options);
+  const { json, files, ...certificate } = await ask({ do: "certify", file: 0, ...members(options, ["name", "exact"]) }, [bytesOf(data)], options);
   return { ...certificate, text: decoder.decode(files[0]), json };
 }
 /** The picture of any file of epsnet, as SVG. */
 export async function svg(data, { layers = [], ...options } = {}) {
-  const what = { do: "svg", file: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+  const what = { do: "svg", file: 0, layers: layers.map((_, k) => k + 1), ...members(options, PICTURE) };
   return decoder.decode((await ask(what, [bytesOf(data), ...layers.map(bytesOf)], options)).files[0]);
 }
 /** The version, and the names that `named` knows: {version, names: [{name, description}]}. */
 export async function about(options = {}) {
+  members(options, []);
   const { json, files, ...found } = await ask({ do: "about" }, [], options);
   return found;
 }
