@@ -246,8 +246,9 @@ class BoundCheck {
     return {numbers, evaluator_.evaluate(numbers, precision_, cap, threads_), numbers.size()};
   }
 
-  /// All elements of all triangulations, at the vertex' chart.
-  void evaluate() {
+  /// All elements of all triangulations, at the vertex' chart. Whether that is worth to go on with: with more bits an
+  /// element that comes again is recognized, and what follows takes less time.
+  [[nodiscard]] bool evaluate() {
     const LabelTable labels = all_labels();
     const auto label = [&](std::uint32_t dart) {
       const std::uint32_t number = corner_label(document_.net, dart);
@@ -264,13 +265,14 @@ class BoundCheck {
       const Ball length = displacement(element_of(edges.back(), precision_), place, precision_);
       shortest_loop = edges.size() == 1 ? length : min(shortest_loop, length);
     }
-    elements_.emplace(place, shortest_loop, precision_);
+    elements_.emplace(place, shortest_loop, edges, precision_, budget_);
     ids_.clear();
     for (BallIsometry& g : edges) ids_.push_back(elements_->add(std::move(g)));
     for (const auto& [first, second] : products_) {
       const BallIsometry product =
           compose(elements_->isometry(id_of(first)), elements_->isometry(id_of(second)), precision_);
       ids_.push_back(elements_->add(product));
+      if (!elements_->all_told() && precision_ < options_.max_precision) return false;
     }
     most_ = sqr(sinh(Ball::exactly(document_.value.upper)));
     // The triangles of the net, in the chart of the vertex.
@@ -283,10 +285,11 @@ class BoundCheck {
         triangle.cosh[i] = -lorentz_product(triangle.corner[i], triangle.corner[(i + 1) % 3], precision_);
       }
     }
+    return true;
   }
 
   RuleReport pass() {
-    evaluate();
+    if (!evaluate()) return {"cells", Verdict::undecided, "the elements of triangulations are not told with " + bits()};
     struct Outcome {
       Tri within = Tri::yes;
       std::size_t cell = 0;  ///< The first that is not, else the first that is open.
