@@ -12,6 +12,16 @@ namespace {
 /// Operations of balls for one edge of a step of a path.
 constexpr std::uint64_t kStepOperations = 4;
 
+std::array<double, 3> nearly(const BallVector& p) {
+  return {fast_interval(p[0]).lower, fast_interval(p[1]).lower, fast_interval(p[2]).lower};
+}
+
+/// Whether two points seem to be farther from each other than this, the cosh of a distance: then balls need not tell.
+bool is_farther(const std::array<double, 3>& p, const std::array<double, 3>& q, double cosh_distance) {
+  constexpr double kRounding = 1e-14;
+  return (1 - kRounding) * p[2] * q[2] - p[0] * q[0] - p[1] * q[1] > cosh_distance;
+}
+
 /// A number of an isometry with Re a > 0 that few others share, and its inverse has with the other sign. NaN if balls
 /// do not tell it well.
 double number_of(const BallIsometry& g) {
@@ -46,7 +56,8 @@ Elements::Elements(BallVector point, Ball shortest_loop, const std::vector<BallI
       budget_(std::move(budget)) {
   for (const BallIsometry& edge : edges) {
     for (const BallIsometry& step : {edge, inverse(edge)}) {
-      steps_.push_back({step, apply(lorentz_matrix(step, precision), point_, precision)});
+      const BallVector end = apply(lorentz_matrix(step, precision), point_, precision);
+      steps_.push_back({step, end, nearly(end)});
     }
   }
 }
@@ -67,7 +78,9 @@ BallIsometry Elements::enclosed_along_edges(BallIsometry g) const {
   for (int i = 0; i < kMostSteps; ++i) {
     budget_.spend(kStepOperations * ball_work(static_cast<std::uint64_t>(precision_)), steps_.size() + 1);
     const Step* nearest = nullptr;
+    const std::array<double, 3> near_goal = nearly(goal);
     for (const Step& step : steps_) {
+      if (is_farther(step.nearly, near_goal, distance)) continue;
       const double left = away(step.end, goal);
       if (!(left < distance)) continue;
       distance = left;

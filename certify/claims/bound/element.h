@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -49,6 +50,7 @@ class Elements {
   struct Step {
     BallIsometry isometry;
     BallVector end;
+    std::array<double, 3> nearly;  ///< The end, rounded.
   };
 
   /// Whether balls tell that two elements are equal.
