@@ -17,6 +17,8 @@ constexpr std::size_t kMaxValues = 10'000'000;
 /// Values that take as long as the functions of a triangle, for each of its darts.
 constexpr std::size_t kFunctions = 10;
 constexpr std::size_t kMaxDarts = 25'000'000;
+/// Steps that make the base: some 100 MB.
+constexpr std::size_t kMaxSteps = 100'000;
 
 /// A triangulation with one vertex: of each dart what is opposite, and the number of its element.
 struct Map {
@@ -135,7 +137,7 @@ class BoundRules {
   }
 
   void check_cells() {
-    for (const Isometry<R>& element : elements_) displacements_.push_back(displacement_of(element));
+    for (std::size_t k = 0; k < in_triangulations_; ++k) displacements_.push_back(displacement_of(elements_[k]));
     const Interval end(document_.value[document_.claim == Claim::radius ? 0 : 1]);
     sinh_ = sinh(end);
     cosh_ = cosh(end);
@@ -170,6 +172,10 @@ class BoundRules {
 
  private:
   void make_base() {
+    if (document_.base.size() > kMaxSteps)
+      throw TooLarge{"the base has " + number(document_.base.size()) + " steps, and this checker takes " +
+                     number(kMaxSteps)};
+    in_triangulations_ = elements_.size();
     static_cast<Map&>(base_) = maps_[0];
     base_.start.resize(net_.darts());
     base_.point.push_back(unit_vector(net_.corner(0)));
@@ -362,6 +368,7 @@ class BoundRules {
   const BoundDocument& document_;
   NetRules<R>& net_;
   std::vector<Isometry<R>> elements_;
+  std::size_t in_triangulations_ = 0;  ///< Elements before those of the base.
   std::vector<Map> maps_;
   Base base_;
   std::vector<Displacement> displacements_;

@@ -41,9 +41,6 @@ Point centre_of(const PlacedTriangle& triangle) {
   return unit(triangle.corner[0] + triangle.corner[1] + triangle.corner[2]);
 }
 
-/// Edges of the triangles that are cut into cells are at most this long.
-constexpr double kLongest = 2;
-
 /// Whether the greatest value is sought, or assumed to be that at the vertex of the base.
 enum class Climb { yes, no };
 
@@ -442,7 +439,7 @@ class BoundSearch {
         sites_(base),
         base_(sites_.map(0), sites_.start().point, sites_.elements()),
         at_vertex_(value_at(goal.claim, sites_, sites_.start())) {
-    base_.refine(kLongest);
+    base_.refine(options.most_cells);
     std::vector<PlacedTriangle> triangles;
     for (std::uint32_t t = 0; t < base_.triangle_count(); ++t) triangles.push_back(base_.triangle(t));
     place(triangles);
@@ -585,12 +582,29 @@ class BoundSearch {
   std::deque<PartSearch> parts_;
 };
 
+/// Returns a point some 2⁻⁵⁰ away with fewer digits, unless it is not inside of the tile.
+BasePoint with_few_digits(const Surface& surface, const BasePoint& point) {
+  const Complex<Number> z = convert<Number>(point.z);
+  const int bits = 50 + std::ilogb(static_cast<double>(Number(1 / (1 - norm(z)))));
+  const auto rounded = [&](const Number& x) {
+    return Rational(Number(ldexp(Number(floor(Number(ldexp(x, bits)) + Number(0.5))), -bits)));
+  };
+  BasePoint result{point.tile, {rounded(z.x), rounded(z.y)}};
+  try {
+    require_inside(surface, result);
+  } catch (const SurfaceError&) {
+    return point;
+  }
+  return result;
+}
+
 /// Returns the Delaunay triangulation whose one vertex is near a point of the chart of another's vertex, with few
 /// digits.
 Triangulation delaunay_near(const Surface& surface, const Triangulation& triangulation, const Point& point) {
   const Chart& chart = triangulation.atlas().charts()[triangulation.vertex(VertexId(0)).chart];
   const Complex<Number> z = Isometry<Number>::translation(convert<Number>(chart.centre))(in_disk(unit(point)));
-  return delaunay_start_of_point(surface, rounded_point(surface, chart.tile, z)).triangulation;
+  return delaunay_start_of_point(surface, with_few_digits(surface, rounded_point(surface, chart.tile, z)))
+      .triangulation;
 }
 
 /// Returns the Delaunay triangulation with one vertex as a net whose ε is above the eccentricity.

@@ -105,10 +105,11 @@ void CellBase::make_delaunay(std::vector<std::uint32_t> darts) {
   }
 }
 
-void CellBase::refine(double longest) {
-  const double most = std::pow(std::sinh(longest / 2), 2);
-  constexpr std::size_t kMostDarts = 30'000;
-  while (start_.size() < kMostDarts) {
+void CellBase::refine(std::size_t most_triangles) {
+  const double longest = 2 * std::asinh(std::sqrt(*std::max_element(side_.begin(), side_.end())));
+  const double most = std::pow(std::sinh(std::max(2.0, longest / 8) / 2), 2);
+  constexpr std::size_t kMostTriangles = 10'000;
+  while (triangle_count() + 2 <= std::min(most_triangles, kMostTriangles)) {
     const auto top = std::max_element(side_.begin(), side_.end());
     if (*top <= most) return;
     auto d = static_cast<std::uint32_t>(top - side_.begin());

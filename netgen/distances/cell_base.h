@@ -27,8 +27,9 @@ class CellBase {
   /// The elements must outlive the object.
   CellBase(VertexTriangulation map, const Point& vertex, EdgeElements& elements);
 
-  /// Splits edges until none is longer than this, or there are very many.
-  void refine(double longest);
+  /// Splits edges until none is longer than 2, or an eighth of the longest one: along a collar that is long few cells
+  /// are enough. Or until another one would make more triangles than these.
+  void refine(std::size_t most_triangles);
 
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(start_.size() / 3); }
   [[nodiscard]] PlacedTriangle triangle(std::uint32_t t) const;
