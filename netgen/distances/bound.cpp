@@ -582,10 +582,11 @@ class BoundSearch {
   std::deque<PartSearch> parts_;
 };
 
-/// Returns a point some 2⁻⁵⁰ away with fewer digits, unless it is not inside of the tile.
-BasePoint with_few_digits(const Surface& surface, const BasePoint& point) {
+/// Returns a point at a distance of less than a thousandth of the width, with as few digits as that allows; the same
+/// one if that is not inside of the tile.
+BasePoint with_few_digits(const Surface& surface, const BasePoint& point, double width) {
   const Complex<Number> z = convert<Number>(point.z);
-  const int bits = 50 + std::ilogb(static_cast<double>(Number(1 / (1 - norm(z)))));
+  const int bits = 12 - std::ilogb(width) + std::ilogb(static_cast<double>(Number(1 / (1 - norm(z)))));
   const auto rounded = [&](const Number& x) {
     return Rational(Number(ldexp(Number(floor(Number(ldexp(x, bits)) + Number(0.5))), -bits)));
   };
@@ -600,10 +601,11 @@ BasePoint with_few_digits(const Surface& surface, const BasePoint& point) {
 
 /// Returns the Delaunay triangulation whose one vertex is near a point of the chart of another's vertex, with few
 /// digits.
-Triangulation delaunay_near(const Surface& surface, const Triangulation& triangulation, const Point& point) {
+Triangulation delaunay_near(const Surface& surface, const Triangulation& triangulation, const Point& point,
+                            double width) {
   const Chart& chart = triangulation.atlas().charts()[triangulation.vertex(VertexId(0)).chart];
   const Complex<Number> z = Isometry<Number>::translation(convert<Number>(chart.centre))(in_disk(unit(point)));
-  return delaunay_start_of_point(surface, with_few_digits(surface, rounded_point(surface, chart.tile, z)))
+  return delaunay_start_of_point(surface, with_few_digits(surface, rounded_point(surface, chart.tile, z), width))
       .triangulation;
 }
 
@@ -625,7 +627,7 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
     // What it finds is good enough if the second search succeeds, whatever this one is short of.
     BoundSearch search(base, {claim, Climb::yes, options.width / 2}, options);
     search.run();
-    base = delaunay_near(surface, base, search.summit());
+    base = delaunay_near(surface, base, search.summit(), options.width);
   }
   BoundSearch search(base, {claim, Climb::no, options.width * (1 - 1e-3)}, options);
   search.run();
