@@ -17,11 +17,19 @@ constexpr std::size_t kMaxValues = 10'000'000;
 /// Values that take as long as the functions of a triangle, for each of its darts.
 constexpr std::size_t kFunctions = 10;
 constexpr std::size_t kMaxDarts = 25'000'000;
+/// Steps that make the base: some 100 MB.
+constexpr std::size_t kMaxSteps = 100'000;
 
 /// A triangulation with one vertex: of each dart what is opposite, and the number of its element.
 struct Map {
   std::vector<Index> opposite;
   std::vector<std::size_t> element;
+};
+
+/// The triangulation that is cut into cells: of each dart the vertex where it starts, and of each vertex its point.
+struct Base : Map {
+  std::vector<Index> start;
+  std::vector<Vector> point;
 };
 
 /// sinh²(d(p, gp)/2) = σ + ⟨n, U(p)⟩² for a point p.
@@ -47,6 +55,22 @@ Vector unit_vector(const Point<R>& z) {
   return {quotient(2 * z.n.re * z.m), quotient(2 * z.n.im * z.m), quotient(z.m * z.m + norm(z.n))};
 }
 
+/// The image of a unit vector under an isometry: with w = x + iy, of (a²w + b²w̄ + 2abt, (|a|² + |b|²)t + 2 Re(ab̄w)).
+template <class R>
+Vector moved(const Isometry<R>& g, const Vector& p) {
+  const Interval d = enclosure(R(norm(g.a) - norm(g.b)));
+  const auto quotient = [&](const R& x) { return enclosure(x) / d; };
+  const Complex<R> a2 = g.a * g.a;
+  const Complex<R> b2 = g.b * g.b;
+  const Complex<R> ab = g.a * g.b;
+  const Complex<R> c = g.a * conjugate(g.b);
+  return {quotient(a2.re + b2.re) * p[0] + quotient(b2.im - a2.im) * p[1] + 2 * quotient(ab.re) * p[2],
+          quotient(a2.im + b2.im) * p[0] + quotient(a2.re - b2.re) * p[1] + 2 * quotient(ab.im) * p[2],
+          2 * quotient(c.re) * p[0] - 2 * quotient(c.im) * p[1] + quotient(norm(g.a) + norm(g.b)) * p[2]};
+}
+
+Interval cosh_distance(const Vector& p, const Vector& q) { return p[2] * q[2] - p[0] * q[0] - p[1] * q[1]; }
+
 /// Three points and the cosh of the distances from each to the next.
 struct Cell {
   std::array<Vector, 3> corner;
@@ -60,12 +84,17 @@ struct Middle {
   Interval median;
 };
 
+Vector midpoint(const Vector& p, const Vector& q, const Interval& cosh_of_half) {
+  Vector point;
+  for (std::size_t i = 0; i < 3; ++i) point[i] = (p[i] + q[i]) / (2 * cosh_of_half);
+  return point;
+}
+
 Middle middle_of(const Cell& cell, Index side) {
   const Index end = (side + 1) % 3;
   const Interval half = sqrt((cell.cosh[side] + 1) / 2);
-  Vector point;
-  for (std::size_t i = 0; i < 3; ++i) point[i] = (cell.corner[side][i] + cell.corner[end][i]) / (2 * half);
-  return {point, half, (cell.cosh[end] + cell.cosh[(side + 2) % 3]) / (2 * half)};
+  return {midpoint(cell.corner[side], cell.corner[end], half), half,
+          (cell.cosh[end] + cell.cosh[(side + 2) % 3]) / (2 * half)};
 }
 
 template <class R>
@@ -104,14 +133,17 @@ class BoundRules {
       for (const Index dart : row.flips) flip(map, dart);
       maps_.push_back(std::move(map));
     }
+    make_base();
   }
 
   void check_cells() {
-    for (const Isometry<R>& element : elements_) displacements_.push_back(displacement_of(element));
+    for (std::size_t k = 0; k < in_triangulations_; ++k) displacements_.push_back(displacement_of(elements_[k]));
     const Interval end(document_.value[document_.claim == Claim::radius ? 0 : 1]);
-    most_ = square(sinh(end));
+    sinh_ = sinh(end);
+    cosh_ = cosh(end);
+    most_ = square(sinh_);
     for (Index t = 0; t < document_.cells.size(); ++t) {
-      std::vector<Cell> open{triangle(t)};
+      std::vector<Cell> open{triangle(3 * t)};
       for (const Index entry : document_.cells[t]) {
         const Cell cell = std::move(open.back());
         open.pop_back();
@@ -139,6 +171,87 @@ class BoundRules {
   }
 
  private:
+  void make_base() {
+    if (document_.base.size() > kMaxSteps)
+      throw TooLarge{"the base has " + number(document_.base.size()) + " steps, and this checker takes " +
+                     number(kMaxSteps)};
+    in_triangulations_ = elements_.size();
+    static_cast<Map&>(base_) = maps_[0];
+    base_.start.resize(net_.darts());
+    base_.point.push_back(unit_vector(net_.corner(0)));
+    for (const Index step : document_.base) {
+      if (step % 2 == 0) {
+        flip_base(step / 2);
+      } else {
+        split_base(step / 2);
+      }
+    }
+  }
+
+  void flip_base(Index d) {
+    const Index e = base_.opposite[d];
+    const Index a = base_.start[d];
+    const Index b = base_.start[e];
+    const Index c = base_.start[previous(d)];
+    const Index x = base_.start[previous(e)];
+    flip(base_, d);
+    base_.start[d] = x;
+    base_.start[next(d)] = c;
+    base_.start[previous(d)] = a;
+    base_.start[e] = c;
+    base_.start[next(e)] = x;
+    base_.start[previous(e)] = b;
+  }
+
+  /// Dart d from a to b, of the triangles abc and bax: they become amc and bmx, and mbc and max, the last ones. The
+  /// point of m is in the middle of the edge that starts at the point of a.
+  void split_base(Index d) {
+    const Index e = base_.opposite[d];
+    if (d / 3 == e / 3) throw Refutation{"dart " + number(d) + " has one triangle on both sides"};
+    const std::array<Index, 6> darts{d, next(d), previous(d), e, next(e), previous(e)};
+    std::array<Index, 6> across{};
+    std::array<Index, 6> start{};
+    std::array<std::size_t, 6> element{};
+    const auto mbc = static_cast<Index>(base_.start.size());
+    const Index max = mbc + 3;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Index other = base_.opposite[darts[i]];
+      across[i] = other == next(d) ? mbc + 1 : other == next(e) ? max + 1 : other;
+      start[i] = base_.start[darts[i]];
+      element[i] = base_.element[darts[i]];
+    }
+    const Vector& from = base_.point[start[0]];
+    const Vector to = moved(elements_[element[0]], base_.point[start[3]]);
+    base_.point.push_back(midpoint(from, to, sqrt((cosh_distance(from, to) + 1) / 2)));
+    const auto m = static_cast<Index>(base_.point.size() - 1);
+    const std::size_t one = elements_.size();
+    const std::size_t from_c = element[2];
+    const std::size_t to_c = one + 1;
+    const std::size_t from_x = one + 2;
+    elements_.push_back(Isometry<R>());
+    elements_.push_back(inverse(Isometry<R>(elements_[from_c])));
+    elements_.push_back(inverse(Isometry<R>(elements_[element[4]])));
+    base_.opposite.resize(max + 3);
+    base_.start.resize(max + 3);
+    base_.element.resize(max + 3);
+    const auto set = [&](Index dart, Index origin, Index other, std::size_t along) {
+      base_.start[dart] = origin;
+      base_.opposite[dart] = other;
+      base_.opposite[other] = dart;
+      base_.element[dart] = along;
+    };
+    set(d, start[0], max, one);
+    set(next(d), m, mbc + 2, to_c);
+    set(e, start[3], mbc, element[3]);
+    set(next(e), m, max + 2, element[4]);
+    set(mbc, m, e, element[0]);
+    set(mbc + 1, start[3], across[1], element[1]);
+    set(mbc + 2, start[2], next(d), from_c);
+    set(max, m, d, one);
+    set(max + 1, start[0], across[4], element[4]);
+    set(max + 2, start[5], next(e), from_x);
+  }
+
   /// Dart d from a to b, of the triangles abc and bax: it becomes the dart from x to c.
   void flip(Map& map, Index d) {
     const Index e = map.opposite[d];
@@ -171,14 +284,13 @@ class BoundRules {
     elements_.push_back(inverse(product));
   }
 
-  Cell triangle(Index t) {
-    std::array<Point<R>, 3> z{net_.corner(3 * t), net_.corner(3 * t + 1), net_.corner(3 * t + 2)};
+  /// The triangle of the base with this dart as the first.
+  Cell triangle(Index dart) {
+    const auto corner = [&](Index d) -> const Vector& { return base_.point[base_.start[d]]; };
     Cell cell;
-    for (std::size_t i = 0; i < 3; ++i) {
-      cell.corner[i] = unit_vector(z[i]);
-      const Point<R>& w = z[(i + 1) % 3];
-      cell.cosh[i] = 2 * (enclosure(squared_difference(z[i], w)) / enclosure(R(gap(z[i]) * gap(w)))) + 1;
-    }
+    cell.corner = {corner(dart), moved(elements_[base_.element[dart]], corner(dart + 1)),
+                   moved(inverse(elements_[base_.element[dart + 2]]), corner(dart + 2))};
+    for (std::size_t i = 0; i < 3; ++i) cell.cosh[i] = cosh_distance(cell.corner[i], cell.corner[(i + 1) % 3]);
     return cell;
   }
 
@@ -248,17 +360,22 @@ class BoundRules {
     const Middle middle = middle_of(cell, side);
     spend(kFunctions * net_.darts());
     const std::vector<Interval> h = values(map, middle.point);
-    // D: to either end of the side, and to the corner opposite.
-    const Interval reach = arcosh(max(middle.half, middle.median));
-    return is_delaunay_and_wide(map.opposite, h, square(sinh(Interval(document_.value[0]) + reach)));
+    // D: to either end of the side, and to the corner opposite. sinh(LO + D) from cosh D.
+    const Interval reach = max(middle.half, middle.median);
+    return is_delaunay_and_wide(map.opposite, h, square(sinh_ * reach + cosh_ * sqrt(square(reach) - 1)));
   }
 
   const BoundDocument& document_;
   NetRules<R>& net_;
   std::vector<Isometry<R>> elements_;
+  std::size_t in_triangulations_ = 0;  ///< Elements before those of the base.
   std::vector<Map> maps_;
+  Base base_;
   std::vector<Displacement> displacements_;
-  Interval most_;  ///< sinh² of the bound for cells.
+  // Of the bound for cells.
+  Interval sinh_;
+  Interval cosh_;
+  Interval most_;  ///< sinh².
   std::size_t values_left_ = kMaxValues;
 };
 
@@ -273,11 +390,25 @@ void expect_subdivision(const std::vector<Index>& cells, std::size_t bounds) {
   if (open != 0) throw Malformed("a subdivision ends early");
 }
 
+/// Whether the areas of triangles, of which tan(A/2) is given, sum up to less than that of the surface and any one of
+/// them.
+template <class Arctan>
+Answer all_counterclockwise(const std::vector<Interval>& tangent, const Arctan& arctan_of) {
+  Interval all = -Interval(static_cast<long>(tangent.size()) - 2) * Interval::pi();
+  std::vector<Interval> areas;
+  for (const Interval& x : tangent) {
+    areas.push_back(2 * arctan_of(x));
+    all = all + areas.back();
+  }
+  Answer result = Answer::yes;
+  for (const Interval& area : areas) result = both(result, is_less(all, area));
+  return result;
+}
+
 }  // namespace
 
 Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Interval>& h, const Interval& least) {
-  std::vector<Interval> kappa(h.size()), areas;
-  Interval all = -Interval(static_cast<long>(h.size() / 3) - 2) * Interval::pi();
+  std::vector<Interval> kappa(h.size()), tangent;
   Answer result = Answer::yes;
   Answer wide = Answer::no;
   for (std::size_t t = 0; t < h.size(); t += 3) {
@@ -285,16 +416,20 @@ Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vecto
     const Interval k = 4 * x[0] * x[1] - square(x[0] + x[1] - x[2]);
     const Interval product = 4 * x[0] * x[1] * x[2];
     result = both(result, is_less(0, k));
-    for (std::size_t i = 0; i < 3; ++i) kappa[t + i] = (x[(i + 1) % 3] + x[(i + 2) % 3] - x[i]) / sqrt(k);
-    areas.push_back(2 * arctan(sqrt(k + product) / (2 + x[0] + x[1] + x[2])));
-    all = all + areas.back();
+    const Interval scale = 1 / sqrt(k);
+    for (std::size_t i = 0; i < 3; ++i) kappa[t + i] = (x[(i + 1) % 3] + x[(i + 2) % 3] - x[i]) * scale;
+    tangent.push_back(sqrt(k + product) / (2 + x[0] + x[1] + x[2]));
     wide = either(wide, !is_less(product, k * least));
   }
   for (std::size_t dart = 0; dart < h.size(); ++dart) {
     result = both(result, is_less(0, kappa[dart] + kappa[opposite[dart]]));
   }
-  for (const Interval& area : areas) result = both(result, is_less(all, area));
-  return both(result, wide);
+  // Few digits decide but where a triangle is very small.
+  Answer counterclockwise = all_counterclockwise(tangent, [](const Interval& x) { return rough_arctan(x); });
+  if (counterclockwise == Answer::unknown) {
+    counterclockwise = all_counterclockwise(tangent, [](const Interval& x) { return arctan(x); });
+  }
+  return both(both(result, counterclockwise), wide);
 }
 
 template <class R>
@@ -304,7 +439,12 @@ std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {
     expect_less(document.triangulations[k].parent, k + 1, "an earlier triangulation");
     for (const Index dart : document.triangulations[k].flips) expect_less(dart, net.darts(), "dart");
   }
-  if (document.cells.size() != document.net.triangles.size()) throw Malformed("cells: not one row for each triangle");
+  std::size_t darts = net.darts();
+  for (const Index step : document.base) {
+    expect_less(step / 2, darts, "dart");
+    if (step % 2 == 1) darts += 6;
+  }
+  if (3 * document.cells.size() != darts) throw Malformed("cells: not one row for each triangle");
   const std::size_t of_each = document.claim == Claim::diameter ? 1 : document.claim == Claim::radius ? 3 : net.darts();
   for (const std::vector<Index>& row : document.cells) {
     expect_subdivision(row, (document.triangulations.size() + 1) * of_each);

@@ -115,13 +115,14 @@ DistanceDocument read_distance(const Json& root) {
 }
 
 BoundDocument read_bound(const Json& root) {
-  expect_members(root, {"format", "version", "claim", "net", "value", "triangulations", "cells"});
+  expect_members(root, {"format", "version", "claim", "net", "value", "triangulations", "base", "cells"});
   expect_version(root);
   Words words;
   BoundDocument document{.net = read_one_vertex_net(root, words),
                          .claim = BoundDocument::Claim::diameter,
                          .value = read_length(member(root, "value"), "the value"),
                          .triangulations = {},
+                         .base = {},
                          .cells = {}};
   const Json& claim = member(root, "claim");
   if (is_text(claim, "radius")) {
@@ -138,6 +139,7 @@ BoundDocument read_bound(const Json& root) {
     flips.erase(flips.begin());
     document.triangulations.push_back({parent, std::move(flips)});
   }
+  if (const Json* base = find(root, "base")) document.base = read_indices(*base, "base");
   for (const Json& row : array(member(root, "cells"), "cells")) document.cells.push_back(read_indices(row, "cells"));
   return document;
 }

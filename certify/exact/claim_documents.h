@@ -30,6 +30,7 @@ struct BoundDocument {
   Claim claim;
   std::array<mpq_class, 2> value;
   std::vector<Triangulation> triangulations;
+  std::vector<Index> base;
   std::vector<std::vector<Index>> cells;
 };
 

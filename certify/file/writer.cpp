@@ -182,6 +182,10 @@ class Writer {
   }
 
   static bool is_empty(const std::string& text) { return text.empty(); }
+  template <class Indices>
+  static bool is_empty(const List<Indices>& list) {
+    return list.indices.empty();
+  }
   template <class T>
   static bool is_empty(const std::optional<T>& value) {
     return !value.has_value();

@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "certify/numbers/parallel.h"
+#include "netgen/distances/cell_base.h"
 #include "netgen/distances/distances.h"
 #include "netgen/distances/vertex_triangulation.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/start.h"
 #include "netgen/prove/certified.h"
-#include "triangulation/mesh/contraction.h"
-#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -36,6 +36,10 @@ using Point = LorentzVector<Number>;
 constexpr std::size_t kMostElements = 1'000'000;
 
 Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_product(p, p)))) * p; }
+
+Point centre_of(const PlacedTriangle& triangle) {
+  return unit(triangle.corner[0] + triangle.corner[1] + triangle.corner[2]);
+}
 
 /// Whether the greatest value is sought, or assumed to be that at the vertex of the base.
 enum class Climb { yes, no };
@@ -70,138 +74,36 @@ class Triangulations {
   Rows rows_;
 };
 
-/// The part of a search that one triangle of a triangulation with one vertex is: it is cut into cells.
-///
-/// The function is evaluated at points of cells, where the Delaunay triangulation gives it exactly. Two triangulations
-/// bound it at the corners of a cell, that of the cell's own point and that of the cell it was cut from; the better one
-/// is the bound of the cell. For a radius the bound is the function at the midpoint of a side plus the distance from
-/// there to the farthest corner.
-class PartSearch {
+/// A place of the vertex, with the numbers of a triangulation that is Delaunay there and of a frame nearby.
+struct Site {
+  Point point;
+  std::uint32_t triangulation;
+  std::uint32_t frame;
+};
+
+/// Triangulations with one vertex that are Delaunay at places of it, each made from an earlier one by flips.
+class Sites {
  public:
-  using Claim = BoundDocument::Claim;
-
-  /// Requires: the base is Delaunay.
-  PartSearch(Triangulation& base, std::uint32_t triangle, const Goal& goal) : goal_(goal) {
+  /// Starts at the vertex of the base, which is Delaunay.
+  explicit Sites(Triangulation& base) {
     known_.push_back({vertex_triangulation(base, elements_), 0, {}});
-    numbers_[known_[0].map.key()] = 0;
-    const Point vertex = on_hyperboloid(convert<Number>(base.vertex(VertexId(0)).z));
-    frames_.emplace_back(elements_, vertex);
-    const Site start{vertex, 0, 0};
-    look_at(start);
-    const auto lift = [&](EdgeElements::Id id) { return image(elements_.isometry(id), vertex); };
-    const std::vector<EdgeElements::Id>& element = known_[0].map.element;
-    const std::uint32_t d = 3 * triangle;
-    Place place{{vertex, lift(element[d]), lift(EdgeElements::inverse(element[d + 2]))}, {}};
-    for (std::size_t k = 0; k < 3; ++k) place.cosh[k] = -lorentz_product(place.corner[k], place.corner[(k + 1) % 3]);
-    add_cell(std::move(place), start);
+    start_at(on_hyperboloid(convert<Number>(base.vertex(VertexId(0)).z)));
   }
-
-  /// Cuts up to `most` of its cells, those with the greatest bounds first, whose bounds are at least `level` and too
-  /// great.
-  void cut_above(double level, std::size_t most) {
-    for (; most > 0 && upper() >= level && !is_narrow(); --most) {
-      const std::uint32_t top = queue_.top().second;
-      queue_.pop();
-      cut(top);
-    }
+  /// Starts at one of the sites of another, with elements of its own.
+  Sites(const Sites& other, const Site& site) {
+    VertexTriangulation map = other.known_[site.triangulation].map;
+    for (EdgeElements::Id& id : map.element) id = elements_.add(other.elements_.isometry(id));
+    known_.push_back({std::move(map), 0, {}});
+    start_at(site.point);
   }
+  Sites(const Sites&) = delete;
+  Sites& operator=(const Sites&) = delete;
 
-  /// Whether the bounds of its cells are as near to the greatest value as wanted.
-  [[nodiscard]] bool is_narrow() const {
-    // The lower bound of a radius must be positive.
-    constexpr double kLeastRadius = 1e-3;
-    return upper() - highest_ <= goal_.width && (goal_.claim != Claim::radius || upper() <= -kLeastRadius);
-  }
-  /// Tells it of a value that was found elsewhere.
-  void raise(double value) {
-    if (value > highest_) highest_ = value;
-  }
-  [[nodiscard]] double lower() const { return highest_; }
-  [[nodiscard]] double upper() const { return queue_.top().first; }
-  [[nodiscard]] std::size_t cells() const { return cells_.size(); }
-  [[nodiscard]] std::size_t elements() const { return elements_.size(); }
-  /// The greatest value that it found itself, and where, in the chart of the base's vertex.
-  [[nodiscard]] double found() const { return found_; }
-  [[nodiscard]] const Point& summit() const { return summit_; }
-
-  /// Its cells, and the triangulations that they use.
-  [[nodiscard]] std::vector<std::uint32_t> describe(Triangulations& triangulations) const {
-    std::vector<bool> used(known_.size());
-    for (const Cell& cell : cells_) {
-      if (cell.edge != kNotCut) continue;
-      for (std::uint32_t k = cell.bound_by; !used[k]; k = known_[k].parent) used[k] = true;
-    }
-    std::vector<std::uint32_t> number(known_.size());
-    for (std::uint32_t k = 1; k < known_.size(); ++k) {
-      if (used[k]) number[k] = triangulations.add(number[known_[k].parent], known_[k].flips, known_[k].map, elements_);
-    }
-    const auto darts = static_cast<std::uint32_t>(known_[0].map.opposite.size());
-    std::vector<std::uint32_t> cells;
-    std::vector<std::uint32_t> open{0};
-    while (!open.empty()) {
-      const Cell& cell = cells_[open.back()];
-      open.pop_back();
-      if (cell.edge != kNotCut) {
-        cells.push_back(cell.edge);
-        open.push_back(cell.first_part + 1);
-        open.push_back(cell.first_part);
-      } else {
-        const std::uint32_t of_each = goal_.claim == Claim::diameter ? 1 : goal_.claim == Claim::radius ? 3 : darts;
-        cells.push_back(3 + number[cell.bound_by] * of_each + cell.bound_by_part);
-      }
-    }
-    return cells;
-  }
-
- private:
-  /// A place of the vertex, with the numbers of a triangulation that is Delaunay there and of a frame nearby.
-  struct Site {
-    Point point;
-    std::uint32_t triangulation;
-    std::uint32_t frame;
-  };
-  struct Known {
-    VertexTriangulation map;
-    std::uint32_t parent;
-    std::vector<std::uint32_t> flips;
-  };
-  struct Bound {
-    double value;
-    std::uint32_t dart;  ///< For an embedded disk, the dart of the edge.
-  };
-  /// The midpoint of a side, the cosh of half its length and of the median.
-  struct Midpoint {
-    Point point;
-    Number half;
-    Number median;
-  };
-  static constexpr std::uint32_t kNotCut = 3;
-  /// A triangle of unit vectors, with the cosh of its sides' lengths: side i is from corner i to corner i + 1. The
-  /// lengths are updated when a triangle is halved, so corners and lengths keep their accuracy.
-  struct Place {
-    std::array<Point, 3> corner;
-    std::array<Number, 3> cosh;
-
-    [[nodiscard]] Point centre() const { return unit(corner[0] + corner[1] + corner[2]); }
-    [[nodiscard]] std::uint32_t longest_side() const {
-      return static_cast<std::uint32_t>(std::max_element(cosh.begin(), cosh.end()) - cosh.begin());
-    }
-    [[nodiscard]] Midpoint midpoint(std::uint32_t side) const {
-      const std::uint32_t end = (side + 1) % 3;
-      // With d the length of the side: cosh(d/2), the midpoint, and the cosh of the median.
-      const Number half = sqrt(Number((1 + cosh[side]) / 2));
-      const Number scale = 1 / (2 * half);
-      return {scale * (corner[side] + corner[end]), half, scale * (cosh[end] + cosh[(side + 2) % 3])};
-    }
-  };
-  struct Cell {
-    Place place;
-    Site site;                        ///< A point inside.
-    std::uint32_t bound_by = 0;       ///< The triangulation that bounds the function in the cell.
-    std::uint32_t bound_by_part = 0;  ///< The dart of the edge, for an embedded disk; the side, for a radius.
-    std::uint32_t edge = kNotCut;     ///< The edge at which it is cut.
-    std::uint32_t first_part = 0;     ///< The number of its first part; the second follows.
-  };
+  [[nodiscard]] Site start() const { return {start_, 0, 0}; }
+  [[nodiscard]] EdgeElements& elements() { return elements_; }
+  [[nodiscard]] const EdgeElements& elements() const { return elements_; }
+  [[nodiscard]] const VertexTriangulation& map(std::uint32_t k) const { return known_[k].map; }
+  [[nodiscard]] std::size_t size() const { return known_.size(); }
 
   [[nodiscard]] PlacedTriangulation placed(std::uint32_t k, std::uint32_t frame, const Point& p) {
     return {known_[k].map, frames_[frame], p};
@@ -241,6 +143,36 @@ class PartSearch {
     return here;
   }
 
+  /// Adds the triangulations of these numbers and those that they are made from, of which number 0 is known as `first`.
+  /// Returns all numbers there.
+  [[nodiscard]] std::vector<std::uint32_t> describe(const std::vector<std::uint32_t>& used, std::uint32_t first,
+                                                    Triangulations& triangulations) const {
+    std::vector<bool> is_used(known_.size());
+    for (std::uint32_t k : used) {
+      for (; !is_used[k]; k = known_[k].parent) is_used[k] = true;
+    }
+    std::vector<std::uint32_t> number(known_.size());
+    number[0] = first;
+    for (std::uint32_t k = 1; k < known_.size(); ++k) {
+      if (is_used[k])
+        number[k] = triangulations.add(number[known_[k].parent], known_[k].flips, known_[k].map, elements_);
+    }
+    return number;
+  }
+
+ private:
+  struct Known {
+    VertexTriangulation map;
+    std::uint32_t parent;
+    std::vector<std::uint32_t> flips;
+  };
+
+  void start_at(const Point& point) {
+    start_ = point;
+    numbers_[known_[0].map.key()] = 0;
+    frames_.emplace_back(elements_, point);
+  }
+
   /// Makes a triangulation Delaunay at a point by flips; returns the number of the result.
   [[nodiscard]] std::optional<std::uint32_t> delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
     std::vector<std::uint32_t> flips = placed(k, frame, p).flips();
@@ -257,12 +189,132 @@ class PartSearch {
     return found->second;
   }
 
+  Point start_{};
+  EdgeElements elements_;
+  std::deque<Frame> frames_;
+  std::vector<Known> known_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;  ///< By key.
+};
+
+/// The function at a site, for a radius minus it.
+double value_at(BoundDocument::Claim claim, Sites& sites, const Site& site) {
+  const PlacedTriangulation there = sites.placed(site.triangulation, site.frame, site.point);
+  switch (claim) {
+    case BoundDocument::Claim::diameter:
+      return length_of(there.largest_enclosure());
+    case BoundDocument::Claim::radius:
+      return -length_of(there.largest_enclosure());
+    case BoundDocument::Claim::embedded_disk:
+      break;
+  }
+  return length_of(there.shortest_edge());
+}
+
+/// The part of a search that one triangle is: it is cut into cells.
+///
+/// The function is evaluated at points of cells, where the Delaunay triangulation gives it exactly. Two triangulations
+/// bound it at the corners of a cell, that of the cell's own point and that of the cell it was cut from; the better one
+/// is the bound of the cell. For a radius the bound is the function at the midpoint of a side plus the distance from
+/// there to the farthest corner.
+class PartSearch {
+ public:
+  using Claim = BoundDocument::Claim;
+
+  /// The triangle, and a site near it.
+  PartSearch(const PlacedTriangle& triangle, const Sites& sites, const Site& near, const Goal& goal)
+      : goal_(goal), sites_(sites, near) {
+    add_cell({triangle}, sites_.start());
+  }
+
+  /// Cuts up to `most` of its cells, those with the greatest bounds first, whose bounds are at least `level` and too
+  /// great.
+  void cut_above(double level, std::size_t most) {
+    for (; most > 0 && upper() >= level && !is_narrow(); --most) {
+      const std::uint32_t top = queue_.top().second;
+      queue_.pop();
+      cut(top);
+    }
+  }
+
+  /// Whether the bounds of its cells are as near to the greatest value as wanted.
+  [[nodiscard]] bool is_narrow() const {
+    // The lower bound of a radius must be positive.
+    constexpr double kLeastRadius = 1e-3;
+    return upper() - highest_ <= goal_.width && (goal_.claim != Claim::radius || upper() <= -kLeastRadius);
+  }
+  /// Tells it of a value that was found elsewhere.
+  void raise(double value) {
+    if (value > highest_) highest_ = value;
+  }
+  [[nodiscard]] double lower() const { return highest_; }
+  [[nodiscard]] double upper() const { return queue_.top().first; }
+  [[nodiscard]] std::size_t cells() const { return cells_.size(); }
+  [[nodiscard]] std::size_t elements() const { return sites_.elements().size(); }
+  /// The greatest value that it found itself, and where, in the chart of the base's vertex.
+  [[nodiscard]] double found() const { return found_; }
+  [[nodiscard]] const Point& summit() const { return summit_; }
+
+  /// Its cells, and the triangulations that they use, of which the first is known as `first`.
+  [[nodiscard]] std::vector<std::uint32_t> describe(std::uint32_t first, Triangulations& triangulations) const {
+    std::vector<std::uint32_t> used;
+    for (const Cell& cell : cells_) {
+      if (cell.edge == kNotCut) used.push_back(cell.bound_by);
+    }
+    const std::vector<std::uint32_t> number = sites_.describe(used, first, triangulations);
+    const auto darts = static_cast<std::uint32_t>(sites_.map(0).opposite.size());
+    std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+      const Cell& cell = cells_[open.back()];
+      open.pop_back();
+      if (cell.edge != kNotCut) {
+        cells.push_back(cell.edge);
+        open.push_back(cell.first_part + 1);
+        open.push_back(cell.first_part);
+      } else {
+        const std::uint32_t of_each = goal_.claim == Claim::diameter ? 1 : goal_.claim == Claim::radius ? 3 : darts;
+        cells.push_back(3 + number[cell.bound_by] * of_each + cell.bound_by_part);
+      }
+    }
+    return cells;
+  }
+
+ private:
+  struct Bound {
+    double value;
+    std::uint32_t dart;  ///< For an embedded disk, the dart of the edge.
+  };
+  /// The midpoint of a side, the cosh of half its length and of the median.
+  struct Midpoint {
+    Point point;
+    Number half;
+    Number median;
+  };
+  static constexpr std::uint32_t kNotCut = 3;
+  struct Place : PlacedTriangle {
+    [[nodiscard]] std::uint32_t longest_side() const {
+      return static_cast<std::uint32_t>(std::max_element(cosh.begin(), cosh.end()) - cosh.begin());
+    }
+    [[nodiscard]] Midpoint midpoint(std::uint32_t side) const {
+      const std::uint32_t end = (side + 1) % 3;
+      // With d the length of the side: cosh(d/2), the midpoint, and the cosh of the median.
+      const Number half = sqrt(Number((1 + cosh[side]) / 2));
+      const Number scale = 1 / (2 * half);
+      return {scale * (corner[side] + corner[end]), half, scale * (cosh[end] + cosh[(side + 2) % 3])};
+    }
+  };
+  struct Cell {
+    Place place;
+    Site site;                        ///< A point inside.
+    std::uint32_t bound_by = 0;       ///< The triangulation that bounds the function in the cell.
+    std::uint32_t bound_by_part = 0;  ///< The dart of the edge, for an embedded disk; the side, for a radius.
+    std::uint32_t edge = kNotCut;     ///< The edge at which it is cut.
+    std::uint32_t first_part = 0;     ///< The number of its first part; the second follows.
+  };
+
   /// Returns the function at a point where the triangulation is Delaunay.
   void look_at(const Site& site) {
-    const PlacedTriangulation there = placed(site.triangulation, site.frame, site.point);
-    const double value = goal_.claim == Claim::diameter ? length_of(there.largest_enclosure())
-                         : goal_.claim == Claim::radius ? -length_of(there.largest_enclosure())
-                                                        : length_of(there.shortest_edge());
+    const double value = value_at(goal_.claim, sites_, site);
     raise(value);
     if (value <= found_) return;
     found_ = value;
@@ -270,15 +322,16 @@ class PartSearch {
   }
 
   [[nodiscard]] Bound bound(const Place& place, std::uint32_t frame, std::uint32_t k) {
-    const std::array<PlacedTriangulation, 3> at{placed(k, frame, place.corner[0]), placed(k, frame, place.corner[1]),
-                                                placed(k, frame, place.corner[2])};
+    const std::array<PlacedTriangulation, 3> at{sites_.placed(k, frame, place.corner[0]),
+                                                sites_.placed(k, frame, place.corner[1]),
+                                                sites_.placed(k, frame, place.corner[2])};
     if (goal_.claim == Claim::diameter) {
       double most = 0;
       for (const PlacedTriangulation& corner : at) most = std::max(most, corner.largest_enclosure());
       return {length_of(most), 0};
     }
     Bound least{std::numeric_limits<double>::infinity(), 0};
-    for (std::uint32_t d = 0; d < known_[k].map.opposite.size(); ++d) {
+    for (std::uint32_t d = 0; d < sites_.map(k).opposite.size(); ++d) {
       const double most = std::max({at[0].displacement(d), at[1].displacement(d), at[2].displacement(d)});
       const double value = length_of(most);
       if (value < least.value) least = {value, d};
@@ -295,9 +348,9 @@ class PartSearch {
               [&](std::uint32_t i, std::uint32_t k) { return cell.place.cosh[i] > cell.place.cosh[k]; });
     for (const std::uint32_t side : sides) {
       const Midpoint middle = cell.place.midpoint(side);
-      const std::optional<Site> site = moved(near, middle.point);
+      const std::optional<Site> site = sites_.moved(near, middle.point);
       if (!site) continue;
-      const PlacedTriangulation there = placed(site->triangulation, site->frame, site->point);
+      const PlacedTriangulation there = sites_.placed(site->triangulation, site->frame, site->point);
       if (goal_.climb == Climb::yes) look_at(*site);
       if (!there.is_strictly_delaunay()) continue;
       // sinh²(d/2) of the distance to the farthest corner.
@@ -317,12 +370,13 @@ class PartSearch {
       add_cell_of_radius(std::move(place), near);
       return;
     }
-    const Point centre = place.centre();
-    const std::uint32_t frame = frame_at(near.frame, centre);
+    const Point centre = centre_of(place);
+    const std::uint32_t frame = sites_.frame_at(near.frame, centre);
     Cell cell{.place = std::move(place), .site = near};
     Bound best = bound(cell.place, frame, near.triangulation);
     cell.bound_by = near.triangulation;
-    const std::optional<Site> own_site = best.value > highest_ + goal_.width ? moved(near, centre) : std::nullopt;
+    const std::optional<Site> own_site =
+        best.value > highest_ + goal_.width ? sites_.moved(near, centre) : std::nullopt;
     if (own_site) {
       cell.site = *own_site;
       if (goal_.climb == Climb::yes) look_at(cell.site);
@@ -362,10 +416,7 @@ class PartSearch {
   }
 
   Goal goal_;
-  EdgeElements elements_;
-  std::deque<Frame> frames_;
-  std::vector<Known> known_;
-  std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;  ///< By key.
+  Sites sites_;
   std::vector<Cell> cells_;
   std::priority_queue<std::pair<double, std::uint32_t>> queue_;  ///< Cells that are not cut, by bound.
   double highest_ = -std::numeric_limits<double>::infinity();
@@ -376,14 +427,23 @@ class PartSearch {
 /// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
 /// the greatest value that was found plus the width. For a radius the function is minus the eccentricity.
 ///
-/// Each triangle is a part with elements and triangulations of its own. Parts go on in rounds, and tell each other
-/// between rounds how great a value they found; so the result does not depend on the number of threads.
+/// Each triangle of a base is a part with elements and triangulations of its own. Parts go on in rounds, and tell each
+/// other between rounds how great a value they found; so the result does not depend on the number of threads.
 class BoundSearch {
  public:
   /// Requires: the base is Delaunay.
   BoundSearch(Triangulation& base, const Goal& goal, const BoundOptions& options)
-      : goal_(goal), options_(options), threads_(certify::thread_count(options.threads)) {
-    for (std::uint32_t t = 0; t < base.triangle_count(); ++t) parts_.emplace_back(base, t, goal);
+      : goal_(goal),
+        options_(options),
+        threads_(certify::thread_count(options.threads)),
+        sites_(base),
+        base_(sites_.map(0), sites_.start().point, sites_.elements()),
+        at_vertex_(value_at(goal.claim, sites_, sites_.start())) {
+    base_.refine(options.most_cells);
+    std::vector<PlacedTriangle> triangles;
+    for (std::uint32_t t = 0; t < base_.triangle_count(); ++t) triangles.push_back(base_.triangle(t));
+    place(triangles);
+    for (std::size_t t = 0; t < triangles.size(); ++t) parts_.emplace_back(triangles[t], sites_, near_[t], goal);
     share();
   }
 
@@ -417,15 +477,21 @@ class BoundSearch {
   }
   /// Where the greatest value was found, in the chart of the base's vertex.
   [[nodiscard]] const Point& summit() const {
-    return std::max_element(parts_.begin(), parts_.end(),
-                            [](const PartSearch& a, const PartSearch& b) { return a.found() < b.found(); })
-        ->summit();
+    const auto best = std::max_element(parts_.begin(), parts_.end(),
+                                       [](const PartSearch& a, const PartSearch& b) { return a.found() < b.found(); });
+    return best->found() > at_vertex_ ? best->summit() : vertex_;
   }
 
   /// The cells and the triangulations that they use.
   void describe(BoundDocument& document) const {
     Triangulations triangulations;
-    for (const PartSearch& part : parts_) document.cells.push_back(part.describe(triangulations));
+    std::vector<std::uint32_t> used;
+    for (const Site& site : near_) used.push_back(site.triangulation);
+    const std::vector<std::uint32_t> number = sites_.describe(used, 0, triangulations);
+    for (std::size_t t = 0; t < parts_.size(); ++t) {
+      document.cells.push_back(parts_[t].describe(number[near_[t].triangulation], triangulations));
+    }
+    document.base = base_.steps();
     document.triangulations = triangulations.take();
   }
 
@@ -445,9 +511,43 @@ class BoundSearch {
   }
   [[nodiscard]] bool at_limit() const { return cells() >= options_.most_cells || elements() > kMostElements; }
 
+  /// Finds a site near each triangle, from that which is nearest among those that are found already.
+  void place(const std::vector<PlacedTriangle>& triangles) {
+    struct Open {
+      Point centre;
+      Number distance;  ///< The cosh of that to the nearest site.
+      Site from;
+    };
+    std::vector<Open> open;
+    for (const PlacedTriangle& triangle : triangles) {
+      const Point centre = centre_of(triangle);
+      open.push_back({centre, -lorentz_product(centre, vertex_), sites_.start()});
+    }
+    near_.resize(triangles.size());
+    std::vector<bool> is_placed(triangles.size());
+    for (std::size_t n = 0; n < triangles.size(); ++n) {
+      std::size_t t = triangles.size();
+      for (std::size_t k = 0; k < triangles.size(); ++k) {
+        if (!is_placed[k] && (t == triangles.size() || open[k].distance < open[t].distance)) t = k;
+      }
+      is_placed[t] = true;
+      const std::optional<Site> site = sites_.moved(open[t].from, open[t].centre);
+      near_[t] = site.value_or(open[t].from);
+      if (!site) continue;
+      for (std::size_t k = 0; k < triangles.size(); ++k) {
+        if (is_placed[k]) continue;
+        const Number distance = -lorentz_product(open[k].centre, site->point);
+        if (distance < open[k].distance) {
+          open[k].distance = distance;
+          open[k].from = *site;
+        }
+      }
+    }
+  }
+
   /// All parts learn of the greatest value.
   void share() {
-    double highest = lower();
+    double highest = std::max(lower(), at_vertex_);
     for (const PartSearch& part : parts_) highest = std::max(highest, part.lower());
     for (PartSearch& part : parts_) part.raise(highest);
   }
@@ -474,45 +574,39 @@ class BoundSearch {
   Goal goal_;
   const BoundOptions& options_;
   unsigned threads_;
+  Sites sites_;
+  Point vertex_ = sites_.start().point;
+  CellBase base_;
+  double at_vertex_;
+  std::vector<Site> near_;  ///< By triangle of the base.
   std::deque<PartSearch> parts_;
 };
 
-/// Moves the one vertex to a point of its chart's disk, and makes the triangulation Delaunay there.
-void move_to(Triangulation& triangulation, const Point& target) {
-  // The goal is given in the chart of the vertex; on its way the vertex may change to other charts.
-  LabelId to_home = kIdentity;
-  const Complex<Number> goal = in_disk(unit(target));
-  double part = 1;
-  constexpr int kMostSteps = 10'000;
-  // A point that is not found lies beyond very many tiles; half-way there it is found, or soon.
-  constexpr int kMostLost = 100;
-  int lost = 0;
-  for (int steps = 0; steps < kMostSteps && lost < kMostLost; ++steps) {
-    const Vertex vertex = triangulation.vertex(VertexId(0));
-    // The goal in the chart of the vertex.
-    const Complex<Number> end =
-        to_home == kIdentity ? goal : triangulation.isometry_in<Number>(triangulation.inverse(to_home))(goal);
-    const Complex<Number> here = convert<Number>(vertex.z);
-    const Complex<Number> one{1, 0};
-    const Complex<Number> way = (end - here) / (one - conj(here) * end);
-    const Number size = sqrt(norm(way));
-    if (size == 0) return;
-    const Number length = atanh(size) * part;
-    const Complex<Number> step = Number(tanh(length) / size) * way;
-    const auto point =
-        triangulation.lifted_point(vertex.chart, (step + here) / (one + conj(here) * step), Atlas::Precision::binary64);
-    const Dart d = make_dart(TriangleId(0), 0);
-    if (!point) ++lost;
-    if (!point || !move_vertex(triangulation, d, *point)) {
-      part /= 2;
-      continue;
-    }
-    to_home = triangulation.product(to_home, point->label);
-    (void)make_delaunay(triangulation);
-    if (part == 1) return;
-    part = std::min(1.0, 2 * part);
+/// Returns a point at a distance of less than a thousandth of the width, with as few digits as that allows; the same
+/// one if that is not inside of the tile.
+BasePoint with_few_digits(const Surface& surface, const BasePoint& point, double width) {
+  const Complex<Number> z = convert<Number>(point.z);
+  const int bits = 12 - std::ilogb(width) + std::ilogb(static_cast<double>(Number(1 / (1 - norm(z)))));
+  const auto rounded = [&](const Number& x) {
+    return Rational(Number(ldexp(Number(floor(Number(ldexp(x, bits)) + Number(0.5))), -bits)));
+  };
+  BasePoint result{point.tile, {rounded(z.x), rounded(z.y)}};
+  try {
+    require_inside(surface, result);
+  } catch (const SurfaceError&) {
+    return point;
   }
-  throw NetError("the vertex of a triangulation could not be moved to where the function is largest");
+  return result;
+}
+
+/// Returns the Delaunay triangulation whose one vertex is near a point of the chart of another's vertex, with few
+/// digits.
+Triangulation delaunay_near(const Surface& surface, const Triangulation& triangulation, const Point& point,
+                            double width) {
+  const Chart& chart = triangulation.atlas().charts()[triangulation.vertex(VertexId(0)).chart];
+  const Complex<Number> z = Isometry<Number>::translation(convert<Number>(chart.centre))(in_disk(unit(point)));
+  return delaunay_start_of_point(surface, with_few_digits(surface, rounded_point(surface, chart.tile, z), width))
+      .triangulation;
 }
 
 /// Returns the Delaunay triangulation with one vertex as a net whose ε is above the eccentricity.
@@ -533,7 +627,7 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
     // What it finds is good enough if the second search succeeds, whatever this one is short of.
     BoundSearch search(base, {claim, Climb::yes, options.width / 2}, options);
     search.run();
-    move_to(base, search.summit());
+    base = delaunay_near(surface, base, search.summit(), options.width);
   }
   BoundSearch search(base, {claim, Climb::no, options.width * (1 - 1e-3)}, options);
   search.run();

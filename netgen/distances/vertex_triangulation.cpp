@@ -66,7 +66,6 @@ T enclosure(const T& a, const T& b, const T& c, const T& slack) {
 }  // namespace
 
 EdgeElements::Id EdgeElements::add(const Isometry<Number>& g) {
-  assert(isometry_discriminant(g) > 0);
   // Equal elements from different products agree to hundreds of bits. Different ones f and g, with entries up to M,
   // agree to far fewer: M|f − g| is at least about |f⁻¹g − 1|, which is as large as a closed geodesic is long.
   LorentzVector<Number> normal = axis_normal(g.a.x < 0 ? Isometry<Number>{-g.a, -g.b} : g);
@@ -97,14 +96,19 @@ Isometry<EdgeElements::Number> EdgeElements::isometry(Id id) const {
 }
 
 Frame::Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin)
-    : elements_(elements),
-      origin_(origin),
-      to_origin_(normalized(Isometry<EdgeElements::Number>::translation(-in_disk(origin)))) {
+    : elements_(elements), origin_(origin) {
   assert(is_point(origin));
+  const Isometry<EdgeElements::Number> to_origin =
+      normalized(Isometry<EdgeElements::Number>::translation(-in_disk(origin)));
+  axes_ = {image(to_origin, {1, 0, 0}), image(to_origin, {0, 1, 0}), image(to_origin, {0, 0, 1})};
+}
+
+Frame::Point Frame::moved(const LorentzVector<EdgeElements::Number>& v) const {
+  return rounded<double>(v.x * axes_[0] + v.y * axes_[1] + v.t * axes_[2]);
 }
 
 Frame::Point Frame::point(const LorentzVector<EdgeElements::Number>& p) const {
-  const Point v = rounded<double>(image(to_origin_, p));
+  const Point v = moved(p);
   const double scale = 1 / std::sqrt((v.t - v.x) * (v.t + v.x) - v.y * v.y);
   return scale * v;
 }
@@ -121,7 +125,7 @@ double Frame::displacement(EdgeElements::Id id, const Point& p) {
   if (!page) page = std::make_unique<Page>();
   Axis& axis = (*page)[k % kOfPage];
   if (axis.square < 0) {
-    axis.normal = rounded<double>(image(to_origin_, elements_.element(k).normal));
+    axis.normal = moved(elements_.element(k).normal);
     axis.square = static_cast<double>(elements_.element(k).square);
   }
   const double height = lorentz_product(axis.normal, p);
@@ -160,6 +164,36 @@ void VertexTriangulation::flip(EdgeElements& elements, std::uint32_t d) {
   const EdgeElements::Id diagonal = elements.product(moved[0], moved[1]);
   element[e] = diagonal;
   element[d] = EdgeElements::inverse(diagonal);
+}
+
+void VertexTriangulation::split(EdgeElements& elements, std::uint32_t d) {
+  // The triangles abc and bax with the edge ab become amc, bmx and mbc, max, the new vertex m next to a.
+  const std::uint32_t e = opposite[d];
+  assert(d / 3 != e / 3);
+  const auto n = static_cast<std::uint32_t>(opposite.size());
+  const EdgeElements::Id one = elements.add({{1, 0}, {0, 0}});
+  const std::uint32_t bc = next_of(d);
+  const std::uint32_t ca = previous_of(d);
+  const std::uint32_t ax = next_of(e);
+  const auto glue = [&](std::uint32_t dart, std::uint32_t other, EdgeElements::Id along) {
+    opposite[dart] = other;
+    opposite[other] = dart;
+    element[dart] = along;
+    element[other] = EdgeElements::inverse(along);
+  };
+  opposite.resize(n + 6);
+  element.resize(n + 6);
+  const EdgeElements::Id ab = element[d];
+  // An outer edge may be the same one as another: what is opposite to it moves as well.
+  const auto across = [&](std::uint32_t dart) { return dart == bc ? n + 1 : dart == ax ? n + 4 : dart; };
+  const std::array<std::uint32_t, 2> old{across(opposite[bc]), across(opposite[ax])};
+  const std::array<EdgeElements::Id, 2> along{element[bc], element[ax]};
+  glue(n + 1, old[0], along[0]);
+  glue(n + 4, old[1], along[1]);
+  glue(d, n + 3, one);
+  glue(n, e, ab);
+  glue(bc, n + 2, EdgeElements::inverse(element[ca]));
+  glue(ax, n + 5, along[1]);
 }
 
 PlacedTriangulation::PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame,

@@ -27,7 +27,7 @@ class EdgeElements {
   using Id = std::uint32_t;
   [[nodiscard]] static Id inverse(Id id) { return id ^ 1U; }
 
-  /// Returns the id of a hyperbolic isometry of determinant 1.
+  /// Returns the id of a hyperbolic isometry of determinant 1, or of the identity.
   [[nodiscard]] Id add(const Isometry<Number>& g);
   [[nodiscard]] Isometry<Number> isometry(Id id) const;
   [[nodiscard]] Id product(Id f, Id g) { return add(isometry(f) * isometry(g)); }
@@ -75,9 +75,13 @@ class Frame {
   /// Elements that are near each other in their order are used at the same places: most pages are in few frames.
   using Page = std::array<Axis, 64>;
 
+  /// A vector in the coordinates of the frame.
+  [[nodiscard]] Point moved(const LorentzVector<EdgeElements::Number>& v) const;
+
   const EdgeElements& elements_;
   LorentzVector<EdgeElements::Number> origin_;
-  Isometry<EdgeElements::Number> to_origin_;
+  /// What becomes of the vectors of the axes.
+  std::array<LorentzVector<EdgeElements::Number>, 3> axes_;
   std::vector<std::unique_ptr<Page>> pages_;
 };
 
@@ -91,6 +95,9 @@ struct VertexTriangulation {
   /// Replaces the edge of dart d, which has two different triangles, by the other diagonal of its quadrilateral, as
   /// docs/format.md says: d and its opposite become the new edge, turned counterclockwise.
   void flip(EdgeElements& elements, std::uint32_t d);
+  /// Splits the edge of dart d, which has two different triangles, by a new vertex, as docs/format.md says. There are
+  /// two triangles more, at the end.
+  void split(EdgeElements& elements, std::uint32_t d);
 };
 
 /// A triangulation with its vertex at a point: the lengths of edges, as sinh²(d/2) by dart, and what follows from

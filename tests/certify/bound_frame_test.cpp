@@ -96,7 +96,7 @@ class BoundElements : public testing::Test {
   const Precision scope{kPrecision};
   const BallIsometry f = translation(4, 0.1);
   const BallIsometry g = translation(5, 1.7);
-  Elements elements{place(0, 0), sqr(sinh(Ball::exactly(0.5))), kPrecision};
+  Elements elements{place(0, 0), sqr(sinh(Ball::exactly(0.5))), {f, g}, kPrecision};
 };
 
 TEST_F(BoundElements, ProductsInAnyOrderAreOneElementAndTheirInverses) {
@@ -159,14 +159,30 @@ TEST_F(BoundElements, AChainOfProductsIsAsPreciseAsItsShortestWay) {
   EXPECT_EQ(arb_rel_accuracy_bits(elements.isometry(here).a.re()), bits);
 }
 
+/// A chain that comes to new elements all the time, and never back, is enclosed along the edges.
+TEST_F(BoundElements, WhatHasLostBitsIsEnclosedAlongEdges) {
+  const BallIsometry fg = product(f, g);
+  BallIsometry wide = product(fg, fg);
+  arb_add_error_2exp_si(wide.a.re(), -70);
+  arb_add_error_2exp_si(wide.b.re(), -70);
+  const Elements::Id known = elements.add(wide);
+  EXPECT_TRUE(elements.all_told());
+  EXPECT_GE(arb_rel_accuracy_bits(elements.isometry(known).a.re()), kPrecision - 20);
+  EXPECT_EQ(elements.add(product(fg, fg)), known);
+  // Without edges it stays what it is.
+  Elements without{place(0, 0), sqr(sinh(Ball::exactly(0.5))), {}, kPrecision};
+  EXPECT_LT(arb_rel_accuracy_bits(without.isometry(without.add(wide)).a.re()), kPrecision - 20);
+}
+
 /// What balls do not tell is kept as another element, which is as true.
 TEST_F(BoundElements, WhatBallsDoNotTellIsNotRecognized) {
   const Elements::Id known = elements.add(f);
   BallIsometry wide = f;
   arb_add_error_2exp_si(wide.b.re(), -5);
   EXPECT_NE(elements.add(wide) / 2, known / 2);
+  EXPECT_FALSE(elements.all_told());
   // If the shortest loop is not known to be longer than what the two differ by.
-  Elements doubtful{place(0, 0), Ball::exactly(0), kPrecision};
+  Elements doubtful{place(0, 0), Ball::exactly(0), {f, g}, kPrecision};
   EXPECT_NE(doubtful.add(f) / 2, doubtful.add(f) / 2);
 }
 

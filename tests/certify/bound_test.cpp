@@ -38,6 +38,12 @@ BoundDocument octagon_radius() { return load("octagon-radius"); }
 
 std::vector<BoundDocument> all_files() { return {regular(), octagon(), disk()}; }
 
+/// The same claims, with cells cut from a base.
+BoundDocument octagon_from_base() { return load("octagon-diameter-base"); }
+std::vector<BoundDocument> files_with_base() {
+  return {octagon_from_base(), load("octagon-embedded-disk-base"), load("octagon-radius-base")};
+}
+
 /// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
 double regular_diameter() { return std::acosh(std::pow(std::tan(std::numbers::pi / 8), -2)); }
 
@@ -90,6 +96,87 @@ TEST(Bound, FilesAreVerifiedByTheRulesOfTheNetAndThreeMore) {
   }
   EXPECT_LT(regular().value.lower, regular_diameter());
   EXPECT_GT(regular().value.upper, regular_diameter());
+}
+
+TEST(BoundFromABase, IsVerified) {
+  for (const BoundDocument& document : files_with_base()) {
+    ASSERT_FALSE(document.base.empty());
+    const Certificate certificate = checked(document);
+    EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+    EXPECT_THAT(certificate.rules[8].text, HasSubstr("; the base: "));
+  }
+}
+
+/// Steps lead to other points and triangles, whose cells are not bounded.
+TEST(BoundFromABase, AnotherStepIsNotVerifiedUnlessItIsTrue) {
+  int refuted = 0;
+  for (const BoundDocument& good : files_with_base()) {
+    const double value = good.claim == Claim::radius ? good.value.upper : good.value.lower;
+    for (std::size_t k = 0; k < good.base.size(); ++k) {
+      BoundDocument document = good;
+      document.base[k] ^= 2U;
+      const std::string found = outcome(document);
+      EXPECT_THAT(found, testing::AnyOf("VERIFIED", "REFUTED: cells", "REFUTED: triangulations"));
+      refuted += found == "REFUTED: cells" ? 1 : 0;
+      // What is verified is true: then no such file proves a bound on the other side of the value at the vertex.
+      (good.claim == Claim::radius ? document.value.lower : document.value.upper) = value;
+      EXPECT_THAT(outcome(document), testing::AnyOf("REFUTED: cells", "REFUTED: triangulations"));
+    }
+  }
+  EXPECT_GT(refuted, 10);
+}
+
+/// Cells that are left out would leave a part of the surface without bound.
+TEST(BoundFromABase, HasARowOfCellsForEachTriangle) {
+  for (const BoundDocument& good : files_with_base()) {
+    const auto triangles = std::to_string(good.cells.size());
+    BoundDocument document = good;
+    document.cells.pop_back();
+    EXPECT_THAT(structure_complaint(document), HasSubstr("expected one for each of the " + triangles + " triangles"));
+    document = good;
+    document.base.push_back(1);
+    EXPECT_THAT(structure_complaint(document), HasSubstr("cells: " + triangles + " elements, expected one for each"));
+    document = good;
+    const auto last = static_cast<std::uint32_t>(3 * good.cells.size());
+    document.base.push_back(2 * last);
+    EXPECT_THAT(structure_complaint(document), HasSubstr("base[" + std::to_string(good.base.size()) + "]: dart " +
+                                                         std::to_string(last) + " does not exist"));
+    // Darts of triangles that are made only later.
+    document = good;
+    document.base.insert(document.base.begin(), 2 * (last - 1));
+    EXPECT_THAT(structure_complaint(document), HasSubstr("base[0]: dart"));
+  }
+}
+
+/// A vertex with one edge: the edge has one triangle on both sides.
+TEST(BoundFromABase, AnEdgeOfOneTriangleIsNeitherFlippedNorSplit) {
+  BoundDocument document = octagon();
+  const std::uint32_t darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
+  // So weak a bound that all triangles prove it.
+  document.value.upper = 30;
+  document.cells.assign(document.cells.size() + 2, {3});
+  // The new vertex m has the edges to a, c, b and x, of which all but one are flipped away.
+  const std::uint32_t d = 0;
+  const std::uint32_t e = opposite(document.net, d);
+  const std::uint32_t to_c = next_dart(d);
+  const std::uint32_t to_x = next_dart(e);
+  document.base = {2 * d + 1, 2 * to_c, 2 * to_x, 2 * d};
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  for (const std::uint32_t kind : {0U, 1U}) {
+    BoundDocument wrong = document;
+    if (kind == 1) wrong.cells.resize(wrong.cells.size() + 2, {3});
+    bool found = false;
+    for (std::uint32_t dart = 0; dart < darts + 6; ++dart) {
+      wrong.base = document.base;
+      wrong.base.push_back(2 * dart + kind);
+      if (outcome(wrong) != "REFUTED: triangulations") continue;
+      found = true;
+      EXPECT_THAT(checked(wrong).message,
+                  HasSubstr("base: dart " + std::to_string(dart) +
+                            " has the same triangle on both sides and cannot be " + (kind == 0 ? "flipped" : "split")));
+    }
+    EXPECT_TRUE(found) << kind;
+  }
 }
 
 TEST(Bound, ANetThatIsNotValidIsRefutedByItsOwnRule) {

@@ -10,6 +10,7 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
+#include "certify/claims/bound/base.h"
 #include "certify/claims/bound/element.h"
 #include "certify/claims/bound/frame.h"
 #include "certify/claims/bound/triangles.h"
@@ -31,6 +32,9 @@ constexpr std::uint64_t kEdgeOperations = 6;
 constexpr std::uint64_t kTriangleOperations = 16;
 constexpr std::uint64_t kCutOperations = 12;
 constexpr std::uint64_t kFlipOperations = 40;
+constexpr std::uint64_t kPlaceOperations = 60;
+/// Bytes of a step of the base.
+constexpr std::uint64_t kStepBytes = 100;
 constexpr std::uint64_t kFunctionOperations = 60;
 /// The work of an operation of intervals, and the operations of balls and the bytes for an element in a frame.
 constexpr std::uint64_t kIntervalWork = 5;
@@ -41,58 +45,26 @@ constexpr std::uint64_t kVertexOperations = 150;
 /// Balls that an open cell keeps.
 constexpr std::uint64_t kCellBalls = 12;
 
-/// A triangulation with one vertex as combinatorial data: what is across each dart, and the element that leads from the
-/// dart's start to its end, 2k for element k and 2k + 1 for its inverse.
-struct Map {
-  std::vector<std::uint32_t> opposite;
-  std::vector<std::uint32_t> element;
-};
-
-/// Two elements one after the other: what becomes of the diagonal of a flip.
-struct Product {
-  std::uint32_t first;
-  std::uint32_t second;
-};
-
-/// Replaces the edge of dart d by the other diagonal, the element of number `diagonal`; its product is returned. The
-/// triangles abc and bax, d from a to b, become xca and cxb: d is then from x to c.
-Product flip(Map& map, std::uint32_t d, std::uint32_t diagonal) {
-  const std::uint32_t e = map.opposite[d];
-  const std::array<std::uint32_t, 4> from{previous_dart(d), next_dart(e), previous_dart(e), next_dart(d)};
-  const std::array<std::uint32_t, 4> to{next_dart(d), previous_dart(d), next_dart(e), previous_dart(e)};
-  const Map old = {{map.opposite[from[0]], map.opposite[from[1]], map.opposite[from[2]], map.opposite[from[3]]},
-                   {map.element[from[0]], map.element[from[1]], map.element[from[2]], map.element[from[3]]}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::uint32_t across = old.opposite[i];
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (old.opposite[i] == from[k]) across = to[k];
-    }
-    map.opposite[to[i]] = across;
-    map.opposite[across] = to[i];
-    map.element[to[i]] = old.element[i];
-  }
-  map.element[e] = 2 * diagonal;
-  map.element[d] = 2 * diagonal + 1;
-  // From c to a, and on to x.
-  return {old.element[0], old.element[1]};
-}
-
 /// The corners of a cell as unit vectors, and the cosh of its sides' lengths, side i from corner i to corner i + 1.
 struct Cell {
   std::array<BallVector, 3> corner;
   std::array<Ball, 3> cosh;
 };
 
+/// (U + V)/(2 cosh(d/2)), d the distance of U and V.
+BallVector midpoint(const BallVector& u, const BallVector& v, const Ball& cosh_half) {
+  BallVector result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = half((u[i] + v[i]) / cosh_half);
+  return result;
+}
+
 /// The two parts of a cell that is cut from the midpoint of a side to the corner opposite to it.
 std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side) {
   const std::uint32_t end = (side + 1) % 3;
   const std::uint32_t far = (side + 2) % 3;
-  // cosh(d/2); the midpoint (U + V)/(2 cosh(d/2)); the cosh of its distance from the corner opposite.
+  // cosh(d/2), the midpoint, and the cosh of its distance from the corner opposite.
   Ball half = sqrt(certify::half(cell.cosh[side] + 1));
-  BallVector middle;
-  for (std::size_t i = 0; i < 3; ++i) {
-    middle[i] = certify::half((cell.corner[side][i] + cell.corner[end][i]) / half);
-  }
+  BallVector middle = midpoint(cell.corner[side], cell.corner[end], half);
   Ball median = certify::half((cell.cosh[end] + cell.cosh[far]) / half);
   Cell first = cell;
   first.corner[end] = middle;
@@ -180,9 +152,9 @@ class BoundCheck {
     return "the injectivity radius of the net's vertex lies in " + to_string(Interval{loop.lower / 2, loop.upper / 2});
   }
 
-  /// Makes all triangulations.
+  /// Makes all triangulations, and the base.
   RuleReport triangulations() {
-    budget_.spend(memory_work(8 * std::uint64_t{darts_}), document_.triangulations.size() + 1);
+    budget_.spend(memory_work(8 * std::uint64_t{darts_}), document_.triangulations.size() + 2);
     Map first;
     for (std::uint32_t d = 0; d < darts_; ++d) {
       first.opposite.push_back(opposite(document_.net, d));
@@ -203,16 +175,48 @@ class BoundCheck {
       for (const std::uint32_t d : row.flips) {
         if (d / 3 == map.opposite[d] / 3) {
           return {"triangulations", Verdict::refuted,
-                  "triangulation " + std::to_string(k + 1) + ": dart " + std::to_string(d) +
-                      " has the same triangle on both sides and cannot be flipped"};
+                  "triangulation " + std::to_string(k + 1) + ": " + one_triangle(d) + "flipped"};
         }
-        products_.push_back(flip(map, d, static_cast<std::uint32_t>(edges_.size() + products_.size())));
+        products_.push_back(flip(map, d, next_element()));
       }
       maps_.push_back(std::move(map));
     }
-    return {
-        "triangulations", Verdict::verified,
-        counted(maps_.size(), "triangulation", "triangulations") + ", " + counted(products_.size(), "flip", "flips")};
+    const std::string made =
+        counted(maps_.size(), "triangulation", "triangulations") + ", " + counted(products_.size(), "flip", "flips");
+    if (const std::optional<std::string> wrong = make_base()) return {"triangulations", Verdict::refuted, *wrong};
+    const std::string steps =
+        document_.base.empty() ? "" : "; the base: " + counted(document_.base.size(), "step", "steps");
+    return {"triangulations", Verdict::verified, made + steps};
+  }
+
+  /// Makes the triangulation that is cut into cells. What is wrong with a step, if something is.
+  [[nodiscard]] std::optional<std::string> make_base() {
+    base_ = {maps_[0], std::vector<std::uint32_t>(darts_), {}};
+    budget_.spend(50 + memory_work(kStepBytes), document_.base.size());
+    std::optional<std::uint32_t> one;
+    for (const std::uint32_t step : document_.base) {
+      const std::uint32_t d = step / 2;
+      const bool splits = step % 2 != 0;
+      if (d / 3 == base_.map.opposite[d] / 3) return "base: " + one_triangle(d) + (splits ? "split" : "flipped");
+      if (!splits) {
+        products_.push_back(flip(base_, d, next_element()));
+        continue;
+      }
+      if (!one) {
+        one = 2 * next_element();
+        products_.push_back({base_.map.element[d], base_.map.element[d] ^ 1U});
+      }
+      split(base_, d, *one);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] static std::string one_triangle(std::uint32_t dart) {
+    return "dart " + std::to_string(dart) + " has the same triangle on both sides and cannot be ";
+  }
+
+  [[nodiscard]] std::uint32_t next_element() const {
+    return static_cast<std::uint32_t>(edges_.size() + products_.size());
   }
 
   RuleReport cells() {
@@ -246,8 +250,9 @@ class BoundCheck {
     return {numbers, evaluator_.evaluate(numbers, precision_, cap, threads_), numbers.size()};
   }
 
-  /// All elements of all triangulations, at the vertex' chart.
-  void evaluate() {
+  /// All elements of all triangulations, at the vertex' chart. Whether that is worth to go on with: with more bits an
+  /// element that comes again is recognized, and what follows takes less time.
+  [[nodiscard]] bool evaluate() {
     const LabelTable labels = all_labels();
     const auto label = [&](std::uint32_t dart) {
       const std::uint32_t number = corner_label(document_.net, dart);
@@ -264,29 +269,47 @@ class BoundCheck {
       const Ball length = displacement(element_of(edges.back(), precision_), place, precision_);
       shortest_loop = edges.size() == 1 ? length : min(shortest_loop, length);
     }
-    elements_.emplace(place, shortest_loop, precision_);
+    elements_.emplace(place, shortest_loop, edges, precision_, budget_);
     ids_.clear();
     for (BallIsometry& g : edges) ids_.push_back(elements_->add(std::move(g)));
     for (const auto& [first, second] : products_) {
       const BallIsometry product =
           compose(elements_->isometry(id_of(first)), elements_->isometry(id_of(second)), precision_);
       ids_.push_back(elements_->add(product));
+      if (!elements_->all_told() && precision_ < options_.max_precision) return false;
     }
     most_ = sqr(sinh(Ball::exactly(document_.value.upper)));
-    // The triangles of the net, in the chart of the vertex.
-    triangles_.assign(darts_ / 3, {});
-    for (std::uint32_t d = 0; d < darts_; ++d) {
-      triangles_[d / 3].corner[d % 3] = unit_vector(label(d), vertex.x, vertex.y, precision_);
+    place_base(place);
+    return true;
+  }
+
+  /// The triangles of the base, in the chart of the net's vertex.
+  void place_base(const BallVector& vertex) {
+    const auto moved = [&](std::uint32_t number, const BallVector& p) {
+      return apply(lorentz_matrix(elements_->isometry(id_of(number)), precision_), p, precision_);
+    };
+    spend(kPlaceOperations, base_.midpoints.size() + base_.start.size());
+    std::vector<BallVector> points{vertex};
+    for (const Base::Midpoint& middle : base_.midpoints) {
+      const BallVector& p = points[middle.from];
+      const BallVector q = moved(middle.element, points[middle.to]);
+      points.push_back(midpoint(p, q, sqrt(half(1 - lorentz_product(p, q, precision_)))));
     }
-    for (Cell& triangle : triangles_) {
+    triangles_.clear();
+    for (std::uint32_t d = 0; d < base_.start.size(); d += 3) {
+      const auto corner = [&](std::uint32_t i) -> const BallVector& { return points[base_.start[d + i]]; };
+      const BallVector second = moved(base_.map.element[d], corner(1));
+      const BallVector third = moved(base_.map.element[d + 2] ^ 1U, corner(2));
+      Cell cell{{corner(0), second, third}, {}};
       for (std::size_t i = 0; i < 3; ++i) {
-        triangle.cosh[i] = -lorentz_product(triangle.corner[i], triangle.corner[(i + 1) % 3], precision_);
+        cell.cosh[i] = -lorentz_product(cell.corner[i], cell.corner[(i + 1) % 3], precision_);
       }
+      triangles_.push_back(std::move(cell));
     }
   }
 
   RuleReport pass() {
-    evaluate();
+    if (!evaluate()) return {"cells", Verdict::undecided, "the elements of triangulations are not told with " + bits()};
     struct Outcome {
       Tri within = Tri::yes;
       std::size_t cell = 0;  ///< The first that is not, else the first that is open.
@@ -484,12 +507,13 @@ class BoundCheck {
   LabelEvaluator evaluator_;
   std::uint32_t darts_;
   std::vector<Map> maps_;
+  Base base_;
   std::vector<std::uint32_t> edges_;  ///< The net's: a dart of each.
   std::vector<Product> products_;     ///< Number edges_.size() + k is product k.
   std::optional<Elements> elements_;
   std::vector<Elements::Id> ids_;  ///< By number.
-  std::vector<Cell> triangles_;
-  Ball most_;  ///< sinh² of the upper bound.
+  std::vector<Cell> triangles_;    ///< Of the base.
+  Ball most_;                      ///< sinh² of the upper bound.
   slong precision_ = kFirstPrecision;
 };
 

@@ -32,7 +32,10 @@ struct BoundDocument {
                      ///< the upper one.
   Interval value{};  ///< 0 < lower ≤ upper.
   std::vector<Triangulation> triangulations;
-  /// By triangle of the net: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3 + k is a cell
+  /// How the triangulation that is cut into cells is made from that of the net, step by step: 2d flips dart d, 2d + 1
+  /// splits it at its midpoint.
+  std::vector<std::uint32_t> base;
+  /// By triangle of the base: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3 + k is a cell
   /// where the bound is that of triangulation k; for a radius, that of triangulation k' at the midpoint of side i, if k
   /// is i + 3k'; for an embedded disk, that of dart d of triangulation k', if k is d + 3nk' with n triangles.
   std::vector<std::vector<std::uint32_t>> cells;

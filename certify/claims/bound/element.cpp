@@ -9,6 +9,19 @@
 namespace epsnet::certify {
 namespace {
 
+/// Operations of balls for one edge of a step of a path.
+constexpr std::uint64_t kStepOperations = 4;
+
+std::array<double, 3> nearly(const BallVector& p) {
+  return {fast_interval(p[0]).lower, fast_interval(p[1]).lower, fast_interval(p[2]).lower};
+}
+
+/// Whether two points seem to be farther from each other than this, the cosh of a distance: then balls need not tell.
+bool is_farther(const std::array<double, 3>& p, const std::array<double, 3>& q, double cosh_distance) {
+  constexpr double kRounding = 1e-14;
+  return (1 - kRounding) * p[2] * q[2] - p[0] * q[0] - p[1] * q[1] > cosh_distance;
+}
+
 /// A number of an isometry with Re a > 0 that few others share, and its inverse has with the other sign. NaN if balls
 /// do not tell it well.
 double number_of(const BallIsometry& g) {
@@ -35,8 +48,51 @@ Ball displacement(const Element& element, const BallVector& p, slong precision) 
   return result;
 }
 
-Elements::Elements(BallVector point, Ball shortest_loop, slong precision)
-    : point_(std::move(point)), shortest_loop_(std::move(shortest_loop)), precision_(precision) {}
+Elements::Elements(BallVector point, Ball shortest_loop, const std::vector<BallIsometry>& edges, slong precision,
+                   Budget budget)
+    : point_(std::move(point)),
+      shortest_loop_(std::move(shortest_loop)),
+      precision_(precision),
+      budget_(std::move(budget)) {
+  for (const BallIsometry& edge : edges) {
+    for (const BallIsometry& step : {edge, inverse(edge)}) {
+      const BallVector end = apply(lorentz_matrix(step, precision), point_, precision);
+      steps_.push_back({step, end, nearly(end)});
+    }
+  }
+}
+
+bool Elements::are_equal(const BallIsometry& f, const BallIsometry& g) const {
+  const BallIsometry quotient = compose(inverse(f), g, precision_);
+  return certainly_less(displacement(element_of(quotient, precision_), point_, precision_), shortest_loop_) == Tri::yes;
+}
+
+BallIsometry Elements::enclosed_along_edges(BallIsometry g) const {
+  const auto away = [&](const BallVector& p, const BallVector& q) {
+    return fast_interval(-lorentz_product(p, q, precision_)).upper;
+  };
+  BallVector goal = apply(lorentz_matrix(g, precision_), point_, precision_);
+  BallIsometry path = identity_isometry();
+  double distance = away(point_, goal);
+  constexpr int kMostSteps = 1000;
+  for (int i = 0; i < kMostSteps; ++i) {
+    budget_.spend(kStepOperations * ball_work(static_cast<std::uint64_t>(precision_)), steps_.size() + 1);
+    const Step* nearest = nullptr;
+    const std::array<double, 3> near_goal = nearly(goal);
+    for (const Step& step : steps_) {
+      if (is_farther(step.nearly, near_goal, distance)) continue;
+      const double left = away(step.end, goal);
+      if (!(left < distance)) continue;
+      distance = left;
+      nearest = &step;
+    }
+    if (nearest == nullptr) break;
+    path = compose(path, nearest->isometry, precision_);
+    goal = apply(lorentz_matrix(inverse(nearest->isometry), precision_), goal, precision_);
+  }
+  choose_sign(path);
+  return are_equal(path, g) ? path : g;
+}
 
 Elements::Id Elements::add(BallIsometry g) {
   const Precision scope(precision_);
@@ -54,13 +110,14 @@ Elements::Id Elements::add(BallIsometry g) {
     int looks = 4;
     for (auto found = by_number_.lower_bound(number - reach);
          found != by_number_.end() && found->first < number + reach && looks > 0; ++found, --looks) {
-      const BallIsometry quotient = compose(inverse(elements_[found->second].isometry), g, precision_);
-      const Ball moved = displacement(element_of(quotient, precision_), point_, precision_);
-      if (certainly_less(moved, shortest_loop_) == Tri::yes) return 2 * found->second + (inverted ? 1 : 0);
+      if (are_equal(elements_[found->second].isometry, g)) return 2 * found->second + (inverted ? 1 : 0);
     }
     by_number_.emplace(number, known);
   }
-  elements_.push_back(element_of(std::move(g), precision_));
+  all_told_ = all_told_ && !std::isnan(number);
+  // Few bits lost are left to the products to come.
+  const bool is_precise = arb_rel_accuracy_bits(g.a.re()) >= precision_ - precision_ / 4;
+  elements_.push_back(element_of(is_precise ? std::move(g) : enclosed_along_edges(std::move(g)), precision_));
   return 2 * known + (inverted ? 1 : 0);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
 
 #include "certify/numbers/ball_vector.h"
+#include "certify/numbers/budget.h"
 #include "certify/numbers/isometry.h"
 
 /// How far an isometry moves a point (docs/proof.md, section 15).
@@ -25,24 +27,45 @@ struct Element {
 [[nodiscard]] Ball displacement(const Element& element, const BallVector& p, slong precision);
 
 /// Elements of the group of a surface, each kept once wherever balls tell that it comes again, as the same product or
-/// another one. Then a long chain of products is no less precise than the shortest way to each of its elements.
+/// another one. One that has lost bits is enclosed anew, where balls tell a path to it along the edges of a Delaunay
+/// triangulation. Then a long chain of products is about as precise as the way straight to each of its elements.
 class Elements {
  public:
   /// 2k is element k, 2k + 1 its inverse.
   using Id = std::uint32_t;
 
-  /// A point of the surface, and at most sinh²(d/2) of its shortest loop: who moves it less is the identity.
-  Elements(BallVector point, Ball shortest_loop, slong precision);
+  /// A point of the surface, and at most sinh²(d/2) of its shortest loop: who moves it less is the identity. The edges
+  /// at it are for paths, one dart of each; without them there are none.
+  Elements(BallVector point, Ball shortest_loop, const std::vector<BallIsometry>& edges, slong precision,
+           Budget budget = {});
 
   [[nodiscard]] Id add(BallIsometry g);
+  /// Whether balls told so far of each element whether it is known.
+  [[nodiscard]] bool all_told() const { return all_told_; }
   [[nodiscard]] const Element& element(Id id) const;
   [[nodiscard]] BallIsometry isometry(Id id) const;
 
  private:
+  /// A step along an edge, and where it leads from the point.
+  struct Step {
+    BallIsometry isometry;
+    BallVector end;
+    std::array<double, 3> nearly;  ///< The end, rounded.
+  };
+
+  /// Whether balls tell that two elements are equal.
+  [[nodiscard]] bool are_equal(const BallIsometry& f, const BallIsometry& g) const;
+  /// The product of steps to an element, each to the end that is nearest to the image of the point; g itself if balls
+  /// do not tell that they lead there.
+  [[nodiscard]] BallIsometry enclosed_along_edges(BallIsometry g) const;
+
   BallVector point_;
   Ball shortest_loop_;
+  std::vector<Step> steps_;
   slong precision_;
+  Budget budget_;
   std::vector<Element> elements_;
+  bool all_told_ = true;
   std::multimap<double, std::uint32_t> by_number_;  ///< By a number that equal ones have nearly in common.
 };
 

@@ -32,7 +32,8 @@ struct Fields<BoundDocument> {
     return std::tuple_cat(
         format_and_version(kKind.format),
         std::tuple(member("claim", document.claim), member("net", document.net), member("value", document.value),
-                   member("triangulations", document.triangulations), member("cells", List{document.cells})));
+                   member("triangulations", document.triangulations), member("base", List{document.base}).optional(),
+                   member("cells", List{document.cells})));
   }
 };
 

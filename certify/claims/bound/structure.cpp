@@ -1,5 +1,7 @@
 #include "certify/net/structure.h"
 
+#include <limits>
+
 #include "certify/claims/bound/check.h"
 
 namespace epsnet::certify {
@@ -20,12 +22,26 @@ Problem triangulations_problem(const BoundDocument& document) {
   return std::nullopt;
 }
 
-Problem cells_problem(const BoundDocument& document) {
-  const std::uint64_t triangles = document.net.triangles.size();
-  if (document.cells.size() != triangles) {
-    return "cells: " + std::to_string(document.cells.size()) + " elements, expected one for each of the " +
-           std::to_string(triangles) + " triangles";
+/// Counts the triangles of the base.
+Problem base_problem(const BoundDocument& document, std::uint64_t& triangles) {
+  triangles = document.net.triangles.size();
+  for (std::size_t k = 0; k < document.base.size(); ++k) {
+    const std::uint32_t dart = document.base[k] / 2;
+    if (dart >= 3 * triangles) return at("base", k) + "dart " + std::to_string(dart) + " does not exist";
+    if (document.base[k] % 2 != 0) triangles += 2;
   }
+  if (3 * triangles > std::numeric_limits<std::uint32_t>::max()) return "base: more than 2^32 darts";
+  return std::nullopt;
+}
+
+Problem cells_problem(const BoundDocument& document) {
+  std::uint64_t in_base = 0;
+  if (auto problem = base_problem(document, in_base)) return problem;
+  if (document.cells.size() != in_base) {
+    return "cells: " + std::to_string(document.cells.size()) + " elements, expected one for each of the " +
+           std::to_string(in_base) + " triangles";
+  }
+  const std::uint64_t triangles = document.net.triangles.size();
   const std::uint64_t of_each = document.claim == BoundDocument::Claim::diameter ? 1
                                 : document.claim == BoundDocument::Claim::radius ? 3
                                                                                  : 3 * triangles;
@@ -54,7 +70,7 @@ Problem structure_problem(const BoundDocument& document) {
 }
 
 std::uint64_t least_bytes(const BoundDocument& document) {
-  std::uint64_t bytes = least_bytes(document.net);
+  std::uint64_t bytes = least_bytes(document.net) + least_bytes(document.base);
   for (const BoundDocument::Triangulation& row : document.triangulations) bytes += 4 + least_bytes(row.flips);
   for (const std::vector<std::uint32_t>& row : document.cells) bytes += 2 + least_bytes(row);
   return bytes;

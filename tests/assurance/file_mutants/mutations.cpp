@@ -786,6 +786,20 @@ const std::vector<MutationOf<BoundDocument>>& bound_mutations() {
        }},
       {"rows of cells exchanged",
        [](BoundDocument& file, Random& r) { std::swap(r.of(file.cells), r.of(file.cells)); }},
+      {"step of the base",
+       [](BoundDocument& file, Random& r) {
+         std::uint32_t& step = r.of(file.base);
+         // As many triangles as before.
+         step = 2 * r.below(3 * (file.net.triangles.size() + 2)) + step % 2;
+       }},
+      {"steps of the base exchanged",
+       [](BoundDocument& file, Random& r) { std::swap(r.of(file.base), r.of(file.base)); }},
+      {"flip of the base left out",
+       [](BoundDocument& file, Random& r) {
+         const std::size_t i = r.below(file.base.size());
+         if (file.base.empty() || file.base[i] % 2 != 0) throw NothingToChange{};
+         file.base.erase(file.base.begin() + static_cast<std::ptrdiff_t>(i));
+       }},
       {"flip of another dart",
        [](BoundDocument& file, Random& r) {
          r.of(r.of(file.triangulations).flips) = r.below(3 * file.net.triangles.size() + 1);
