@@ -16,10 +16,12 @@ def write_atomically(path: Path, text: str) -> None:
 
 
 def commit(root: Path) -> str:
-    """The commit of the sources in a folder, with "-dirty" if something is not committed; "unknown" outside of a repository."""
+    """The commit of the sources in a folder, with "-dirty" if something but documents is not committed; "unknown" outside of a repository."""
+    def git(*command: str) -> str:
+        return subprocess.run(["git", "-C", root, *command], check=True, capture_output=True, text=True).stdout.strip()
     try:
-        return subprocess.run(["git", "-C", root, "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"], check=True,
-                              capture_output=True, text=True).stdout.strip()
+        changed = git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!docs")
+        return git("rev-parse", "--short=12", "HEAD") + ("-dirty" if changed else "")
     except (OSError, subprocess.CalledProcessError):
         return "unknown"
 

@@ -264,7 +264,7 @@ class Search {
       count = certainly;
     }
     for (std::size_t n = count; n + 1 < now.least.size(); ++n) {
-      const double last = functions_too ? now.estimates[n - 1] * (1 + kError) : now.greatest[n - 1];
+      const double last = functions_too ? now.estimates[n - 1] * (1 + kError) : now.greatest[n - 1] * (1 + 2 * kMargin);
       if (now.least[n] > last) return n;
     }
     return std::nullopt;
@@ -382,7 +382,9 @@ class Search {
     const double least = level.least[count];
     const double end = parts.empty() ? 0 : parts.back().in.upper;
     if (end >= least) {
-      throw NetError("the functions of some of these eigenvalues were not found; with 2 digits there are none");
+      throw NetError(many_digits(options_)
+                         ? "the functions of some of these eigenvalues were not found; with 2 digits there are none"
+                         : "the matrices do not tell these eigenvalues from the next one; more digits make them finer");
     }
     const double next = proved_least(level, count, end);
     at_most(level, next, count);

@@ -89,7 +89,7 @@ TEST(PolygonPicture, TilesOfKleinAreLaidOutNearestFirst) {
 /// A very short geodesic is not in the centre, where the domain would be a line.
 TEST(PolygonPicture, ThinSurfacesShowSomething) {
   const FenchelNielsen thin{PantsGraph::chain(2), {Rational(1, 100'000'000), 2, 1}, {0, 0, 0}};
-  const PolygonPicture picture = picture_of(thick_thin(fenchel_nielsen_surface(thin)));
+  const PolygonPicture picture = picture_of(unproved::thick_thin(fenchel_nielsen_surface(thin)));
   double left = 1;
   double right = -1;
   for (const PolygonPicture::Side& side : picture.sides) {
