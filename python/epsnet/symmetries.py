@@ -11,7 +11,7 @@ from ._documents import Document
 from ._immutable import Immutable
 from ._progress import Progress, Shower
 from .certificates import Certificate
-from .errors import UndecidedError
+from .errors import NetError, UndecidedError
 from .isometries import Isometry
 from .nets import Net
 from .points import Point, point_of

@@ -107,7 +107,7 @@ grep -q 'r=' fn.json || complain 'the surface does not say what it is'
 echo '{"genus": 3, "seed": 3}' >request.json
 good surface fenchel-nielsen --from request.json -o again.json
 same fn.json again.json
-good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-6,30 --twists=-0.25,0,40 -o thin.json
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-6,30 --twists=-0.25,1e-7,40 -o thin.json
 good surface regular --genus 2 -o bolza.json
 for surface in fn thin bolza; do
   good info "$surface.json"
@@ -148,7 +148,7 @@ good view "$data/certify/refuted/covering-epsilon-too-small.json" -o refuted.htm
 grep -q '^verdict: REFUTED$' output || complain 'view of a refuted net says no verdict'
 grep -q '"verdict": "REFUTED"' refuted.html || complain 'a page of a refuted net'
 "$epsnet" view net.json -o - 2>report >piped.html && [ -s piped.html ] || complain 'a page on standard output'
-good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-6,2 --twists 0 -o pinched.json
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-6,2 --twists 0,1e-7,0 -o pinched.json
 good net pinched.json --epsilon 0.3 --pseudo -o pinched-net.json
 good draw pinched-net.json -o pinched.svg --legend
 grep -q '<title>triangles of collars</title>' pinched.svg || complain 'no collars in the picture of a pseudo net'
@@ -156,7 +156,7 @@ grep -q '<title>epsilon-collars</title>' pinched.svg || complain 'no boundaries 
 good view pinched-net.json -o pinched.html
 grep -q '"name": "epsilon-collars"' pinched.html || complain 'no collars in the page of a pseudo net'
 # However thin: every layer, and nothing is left out.
-good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-8,2 --twists 0,0,0.5 -o thinnest.json
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-8,2 --twists 0,1e-9,0.5 -o thinnest.json
 good net thinnest.json --epsilon 0.25 --pseudo -o thinnest-net.json
 good draw thinnest-net.json -o thinnest.svg --legend --show triangles,vertices,tiles,dirichlet,combinatorial-dirichlet,disks
 good view thinnest-net.json -o thinnest.html
