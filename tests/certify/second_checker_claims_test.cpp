@@ -513,7 +513,7 @@ struct Comparison {
 
 /// Other steps make other triangles, the same ones for both checkers.
 TEST(SlowSecondCheckerOfBounds, ABaseIsWhatItsStepsMakeOfTheNet) {
-  for (const std::string& name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base"}) {
+  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base"}) {
     const BoundDocument good = bound(name);
     Comparison comparison;
     for (std::size_t k = 0; k < good.base.size(); ++k) {
