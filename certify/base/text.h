@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Text of the file format (docs/format.md, "Numbers") and text for messages.
 namespace epsnet::certify {
@@ -50,5 +51,10 @@ inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 [[nodiscard]] inline std::string counted(std::size_t count, std::string_view one, std::string_view many) {
   return std::to_string(count).append(" ").append(count == 1 ? one : many);
 }
+
+/// Returns the name that was probably meant by one that is unknown, for messages: the nearest by letters that are
+/// inserted, deleted, replaced, or swapped with the next one, of at most a third of the letters and one; or one that
+/// begins like it. Dashes in front do not count. Empty if there is none.
+[[nodiscard]] std::string nearest_name(const std::string& typed, const std::vector<std::string>& names);
 
 }  // namespace epsnet::certify

@@ -15,7 +15,6 @@
 #include <variant>
 #include <vector>
 
-#include "certify/base/nearest_name.h"
 #include "certify/base/text.h"
 #include "certify/claims.h"
 #include "certify/file/reader.h"

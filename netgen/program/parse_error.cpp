@@ -1,6 +1,6 @@
 #include "netgen/program/parse_error.h"
 
-#include "certify/base/nearest_name.h"
+#include "certify/base/text.h"
 
 namespace epsnet::program {
 namespace {
