@@ -10,7 +10,7 @@ namespace epsnet::certify {
 namespace {
 
 /// Operations of balls for one edge of a step of a path.
-constexpr std::uint64_t kStepOperations = 4;
+constexpr std::uint64_t kOperationsOfAStep = 4;
 
 std::array<double, 3> nearly(const BallVector& p) {
   return {fast_interval(p[0]).lower, fast_interval(p[1]).lower, fast_interval(p[2]).lower};
@@ -76,7 +76,7 @@ BallIsometry Elements::enclosed_along_edges(BallIsometry g) const {
   double distance = away(point_, goal);
   constexpr int kMostSteps = 1000;
   for (int i = 0; i < kMostSteps; ++i) {
-    budget_.spend(kStepOperations * ball_work(static_cast<std::uint64_t>(precision_)), steps_.size() + 1);
+    budget_.spend(kOperationsOfAStep * ball_work(static_cast<std::uint64_t>(precision_)), steps_.size() + 1);
     const Step* nearest = nullptr;
     const std::array<double, 3> near_goal = nearly(goal);
     for (const Step& step : steps_) {
