@@ -526,6 +526,32 @@ TEST(SlowSecondCheckerOfBounds, ABaseIsWhatItsStepsMakeOfTheNet) {
   }
 }
 
+/// Both checkers have the triangles of a base at the same places: the least distance from the value to its bound with
+/// which the worst cell is bounded is the same.
+TEST(SlowSecondCheckerOfBounds, ABasesTrianglesAreWhereTheFirstCheckerHasThem) {
+  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base"}) {
+    const BoundDocument good = bound(name);
+    const auto with = [&](double distance) {
+      BoundDocument document = good;
+      if (good.claim == BoundDocument::Claim::radius) {
+        document.value.lower = good.value.upper - distance;
+      } else {
+        document.value.upper = good.value.lower + distance;
+      }
+      return document;
+    };
+    double refuted = 0;
+    double verified = 1;
+    ASSERT_EQ(first_outcome(with(verified)), "VERIFIED") << name;
+    while (verified - refuted > 1e-7) {
+      const double middle = (refuted + verified) / 2;
+      (first_outcome(with(middle)) == "VERIFIED" ? verified : refuted) = middle;
+    }
+    EXPECT_EQ(outcome(with(verified + 1e-7)), "VERIFIED") << name << ", " << verified;
+    EXPECT_EQ(outcome(with(refuted - 1e-7)), "REFUTED: cells") << name << ", " << refuted;
+  }
+}
+
 TEST(SlowSecondCheckerOfBounds, ACellNeedsABoundThatHoldsThere) {
   // Each cell with the bound of another one of its triangle, or another side or dart.
   for (const std::string& name : kBounds) {
