@@ -23,6 +23,7 @@
 /// | std::uint32_t | an index |
 /// | double | a binary64 |
 /// | mpq_class | a rational |
+/// | std::vector<mpz_class> | a number of a field, or its polynomial: integers, on one line |
 /// | std::string | a string |
 /// | bool | true or false |
 /// | std::vector<std::uint32_t> | a word, of which the length is limited |

@@ -120,6 +120,17 @@ class Reader {
     rational = *std::move(value);
   }
 
+  void read(std::vector<mpz_class>& integers) {
+    constexpr const char* kExpected = "an integer in a string, such as \"-3\"";
+    open('[', "an array of integers in strings");
+    json_.elements([&](std::size_t) {
+      const std::string_view text = string(kExpected);
+      const auto value = text.find('/') == std::string_view::npos ? parse_rational(text) : std::nullopt;
+      if (!value) fail(in_quotes(text) + " is not an integer of at most 10^6 digits, such as \"-3\"");
+      integers.push_back(value->get_num());
+    });
+  }
+
   void read(bool& truth) {
     constexpr const char* kExpected = "true or false";
     const std::string_view text = token(kExpected);
@@ -283,13 +294,15 @@ class Reader {
   void read(SurfaceDocument& surface) {
     SurfaceObject<SurfaceDocument> object{surface, SurfaceKind::tiles};
     read(object);
-    // A genus of 0 would read as "not regular" in the document, and p = 0 as "no map", so the ranges are checked here.
+    // A genus of 0 would read as "not regular" in the document, p = 0 as "no map" and an empty polynomial as "no
+    // field", so the ranges are checked here.
     const auto require = [&](const char* member, const std::optional<std::string>& problem) {
       place_ = {.prefix = "surface.", .member = member};
       if (problem) fail(*problem);
     };
     if (object.kind == SurfaceKind::regular) require("genus", regular_genus_problem(surface.regular_genus));
     if (object.kind == SurfaceKind::map) require("p", map_number_problem(surface.map_tile.p));
+    if (object.kind == SurfaceKind::field) require("polynomial", polynomial_problem(surface.field.polynomial));
   }
 
   Json json_;

@@ -18,6 +18,7 @@
 #include "certify/claims.h"
 #include "certify/file/compact.h"
 #include "certify/net/darts.h"
+#include "certify/net/surface_sides.h"
 
 namespace epsnet::certify {
 namespace {
@@ -102,6 +103,15 @@ class Writer {
   void write(double number) { buffer_.number(number); }
   void write(bool truth) { buffer_.text(truth ? "true" : "false"); }
   void write(const mpq_class& rational) { buffer_.string(rational.get_str()); }
+  void write(const std::vector<mpz_class>& integers) {
+    char separator = '[';
+    for (const mpz_class& integer : integers) {
+      buffer_.mark(separator);
+      separator = ',';
+      buffer_.string(integer.get_str());
+    }
+    buffer_.text(integers.empty() ? "[]" : "]");
+  }
   void write(const std::string& text) { buffer_.escaped_string(text); }
   void write(Format format) { buffer_.string(format.name); }
   void write(Version version) { write(version.number); }
@@ -175,7 +185,8 @@ class Writer {
   }
 
   void write(const SurfaceDocument& surface) {
-    const SurfaceKind kind = surface.map_tile.p != 0      ? SurfaceKind::map
+    const SurfaceKind kind = is_over_field(surface)       ? SurfaceKind::field
+                             : surface.map_tile.p != 0    ? SurfaceKind::map
                              : surface.regular_genus != 0 ? SurfaceKind::regular
                                                           : SurfaceKind::tiles;
     write(SurfaceObject<const SurfaceDocument>{surface, kind});

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <gmpxx.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@
 /// true.
 namespace epsnet::certify {
 
-/// A surface file: tiles glued side to side, which are listed, or all regular; or a surface known by name.
+/// A surface file: tiles glued side to side, which are listed, or all regular, or have corners over a number field; or
+/// a surface known by name.
 struct SurfaceDocument {
   /// A strictly convex polygon, vertices counterclockwise; side k goes from vertex k to vertex k + 1.
   using Tile = std::vector<RationalPoint>;
@@ -28,10 +30,28 @@ struct SurfaceDocument {
     bool operator==(const Gluing&) const = default;
   };
 
+  /// The number e₀ + e₁α + e₂α² + … of a field, by its coefficients.
+  using FieldNumber = std::vector<mpz_class>;
+
+  /// The number field ℚ(α), tiles with corners over it, and how each gluing moves them.
+  struct Field {
+    /// Vectors of Minkowski space, up to positive factors.
+    using Polygon = std::vector<std::array<FieldNumber, 3>>;
+
+    std::vector<mpz_class>
+        polynomial;                 ///< Of α, from the coefficient of 1 on; the last one is 1. Empty: there is none.
+    std::array<mpq_class, 2> root;  ///< α is the root between these two.
+    std::vector<Polygon> polygons;
+    std::vector<std::array<FieldNumber, 4>>
+        crossings;  ///< By gluing: z ↦ (Az + B)/(B̄z + Ā), by Re A, Im A, Re B, Im B.
+    bool operator==(const Field&) const = default;
+  };
+
   std::vector<Tile> tiles;
   std::vector<Gluing> gluing;
   std::uint32_t regular_genus = 0;  ///< Not 0: the regular 4g-gon of this genus; tiles and gluing are then empty.
   RegularTile map_tile;             ///< p ≠ 0: that of a map, the polygon that every tile is; tiles is then empty.
+  Field field;                      ///< With a polynomial: that of the tiles, which it has; tiles is then empty.
   std::string about;                ///< Free text in UTF-8, no part of any claim.
   bool operator==(const SurfaceDocument&) const = default;
 };

@@ -141,6 +141,27 @@ std::size_t RegularCrossings::product_bits(std::size_t frame_bits, std::span<con
   return 2 * order * frame_bits + turn_bits * turns_of(word).size();
 }
 
+FieldCrossings::FieldCrossings(std::unique_ptr<const NumberField> field, std::vector<Isometry<FieldNumber>> crossings)
+    : field_(std::move(field)), crossings_(std::move(crossings)) {
+  determinants_.reserve(crossings_.size());
+  for (const Isometry<FieldNumber>& f : crossings_) determinants_.push_back(norm(f.a) - norm(f.b));
+}
+
+Isometry<FieldNumber> FieldCrossings::exact(std::span<const std::uint32_t> word) const {
+  if (word.empty()) return embed(exact_identity());
+  return compose_range(0, word.size(), [&](std::size_t i) { return crossings_[word[i]]; });
+}
+
+Isometry<FieldNumber> FieldCrossings::embed(const ExactIsometry& f) const {
+  return {field_number(*field_, f.a), field_number(*field_, f.b)};
+}
+
+std::size_t FieldCrossings::product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const {
+  std::size_t sum = field_->degree() * frame_bits;
+  for (const std::uint32_t side : word) sum += bits(crossings_[side].a) + bits(crossings_[side].b);
+  return sum;
+}
+
 namespace {
 
 /// Whether a and b are known to 2^−precision relative to |a| ≥ 1, |b|.

@@ -10,6 +10,7 @@
 #include "certify/net/document.h"
 #include "certify/net/surface_sides.h"
 #include "certify/numbers/budget.h"
+#include "certify/numbers/field_number.h"
 #include "certify/numbers/isometry.h"
 #include "certify/numbers/regular_number.h"
 
@@ -110,7 +111,36 @@ class RegularCrossings {
   std::unique_ptr<const RegularRing> ring_;  ///< Numbers point to it, also after a move.
 };
 
-using Crossings = std::variant<RationalCrossings, RegularCrossings>;
+/// Of tiles over a number field.
+class FieldCrossings {
+ public:
+  using Number = FieldNumber;
+  static constexpr std::size_t kMaxExactBits = RationalCrossings::kMaxExactBits;
+
+  /// By side number. Determinants |a|² − |b|² are positive, and numbers those of the field.
+  FieldCrossings(std::unique_ptr<const NumberField> field, std::vector<Isometry<FieldNumber>> crossings);
+
+  [[nodiscard]] std::size_t size() const { return crossings_.size(); }
+  [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const {
+    return to_balls(crossings_[side], determinants_[side], precision);
+  }
+  /// Numbers take their own work off the budget.
+  [[nodiscard]] static std::uint64_t ball_work(std::uint32_t /*side*/, std::uint64_t precision) {
+    return 32 * certify::ball_work(precision);
+  }
+  [[nodiscard]] static std::uint64_t letter_work() { return 20; }
+  [[nodiscard]] static std::uint64_t exact_work(std::size_t /*value_bits*/) { return 4000; }
+  [[nodiscard]] Isometry<FieldNumber> exact(std::span<const std::uint32_t> word) const;
+  [[nodiscard]] Isometry<FieldNumber> embed(const ExactIsometry& f) const;
+  [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;
+
+ private:
+  std::unique_ptr<const NumberField> field_;  ///< Numbers point to it, also after a move.
+  std::vector<Isometry<FieldNumber>> crossings_;
+  std::vector<FieldNumber> determinants_;
+};
+
+using Crossings = std::variant<RationalCrossings, RegularCrossings, FieldCrossings>;
 
 [[nodiscard]] inline BallIsometry ball_crossing(const Crossings& crossings, std::uint32_t side, slong precision) {
   return std::visit([&](const auto& kind) { return kind.balls(side, precision); }, crossings);

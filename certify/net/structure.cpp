@@ -51,22 +51,57 @@ Problem gluing_problem(const SurfaceDocument& surface, std::vector<std::vector<b
          " sides occur, expected every side once";
 }
 
-Problem tiles_problem(const SurfaceDocument& surface) {
+/// Of tiles that are listed, in the member named: each has three vertices or more, of which none has a problem, and
+/// every side is glued once.
+template <class Polygon, class ProblemOfVertices>
+Problem tiles_problem(const SurfaceDocument& surface, const char* member, const std::vector<Polygon>& tiles,
+                      const ProblemOfVertices& vertices_problem) {
   std::vector<std::vector<bool>> glued;
-  glued.reserve(surface.tiles.size());
+  glued.reserve(tiles.size());
   std::size_t sides = 0;
-  const auto tile_problem = [&](const SurfaceDocument::Tile& tile) -> Problem {
+  const auto tile_problem = [&](const Polygon& tile) -> Problem {
     if (tile.size() < 3) return "has " + std::to_string(tile.size()) + " vertices, expected at least 3";
     glued.emplace_back(tile.size(), false);
     sides += tile.size();
-    return std::nullopt;
+    return vertices_problem(tile);
   };
-  if (auto problem = first_row_problem("surface.tiles", surface.tiles, tile_problem)) return problem;
-  if (sides == 0) return "surface.tiles: no tile, expected at least one";
+  if (auto problem = first_row_problem(member, tiles, tile_problem)) return problem;
+  if (sides == 0) return std::string(member) + ": no tile, expected at least one";
   if (sides >= std::numeric_limits<std::uint32_t>::max()) {
-    return "surface.tiles: too many sides, expected less than 2^32";
+    return std::string(member) + ": too many sides, expected less than 2^32";
   }
   return gluing_problem(surface, std::move(glued), sides);
+}
+
+Problem field_problem(const SurfaceDocument& surface) {
+  const auto& [polynomial, root, polygons, crossings] = surface.field;
+  if (!surface.tiles.empty() || surface.regular_genus != 0 || surface.map_tile.p != 0) {
+    return "surface: tiles of two kinds, expected one";
+  }
+  if (const auto problem = polynomial_problem(polynomial)) return "surface.polynomial: " + *problem;
+  if (root[0] >= root[1]) return "surface.root: the ends of the interval are not in order";
+  const std::size_t degree = polynomial.size() - 1;
+  const auto numbers_problem = [&](const auto& numbers) -> Problem {
+    for (const SurfaceDocument::FieldNumber& number : numbers) {
+      if (number.empty() || number.size() > degree) {
+        return "a number of the field has " + std::to_string(number.size()) + " coefficients, expected 1 to " +
+               std::to_string(degree);
+      }
+    }
+    return std::nullopt;
+  };
+  const auto vertices_problem = [&](const SurfaceDocument::Field::Polygon& tile) -> Problem {
+    for (const auto& vertex : tile) {
+      if (auto problem = numbers_problem(vertex)) return problem;
+    }
+    return std::nullopt;
+  };
+  if (auto problem = tiles_problem(surface, "surface.polygons", polygons, vertices_problem)) return problem;
+  if (crossings.size() != surface.gluing.size()) {
+    return "surface.crossings: " + std::to_string(crossings.size()) + " rows, expected " +
+           std::to_string(surface.gluing.size()) + ", as gluing has";
+  }
+  return first_row_problem("surface.crossings", crossings, numbers_problem);
 }
 
 /// There are as many tiles as the rows of `gluing` have sides for.
@@ -199,10 +234,20 @@ Problem map_number_problem(std::uint32_t number) {
   return std::to_string(number) + " found, expected at least 3 and at most " + std::to_string(kMaxRegularSides);
 }
 
+Problem polynomial_problem(const std::vector<mpz_class>& polynomial) {
+  if (polynomial.size() < 2 || polynomial.size() > kMaxFieldDegree + 1) {
+    return std::to_string(polynomial.size()) + " coefficients, expected 2 to " + std::to_string(kMaxFieldDegree + 1);
+  }
+  if (polynomial.back() != 1) return "the last coefficient is not 1";
+  return std::nullopt;
+}
+
 Problem structure_problem(const SurfaceDocument& surface) {
   if (surface.about.size() > kMaxAboutBytes) return "surface.about: more than the limit of 1 MiB";
+  if (is_over_field(surface)) return field_problem(surface);
   if (surface.map_tile.p != 0) return map_problem(surface);
-  return surface.regular_genus == 0 ? tiles_problem(surface) : regular_problem(surface);
+  if (surface.regular_genus != 0) return regular_problem(surface);
+  return tiles_problem(surface, "surface.tiles", surface.tiles, [](const auto&) { return std::nullopt; });
 }
 
 Problem structure_problem(const NetDocument& document, unsigned threads) {
@@ -255,8 +300,26 @@ std::uint64_t least_bytes(const RationalPoint& point) { return digits(point.x) +
 /// A letter and its comma.
 std::uint64_t least_bytes(const std::vector<std::uint32_t>& word) { return 2 * word.size(); }
 
+namespace {
+
+std::uint64_t least_bytes(const SurfaceDocument::Field& field) {
+  std::uint64_t bytes = 0;
+  const auto add = [&](const std::vector<mpz_class>& integers) {
+    bytes += 4;
+    for (const mpz_class& integer : integers) bytes += mpz_sizeinbase(integer.get_mpz_t(), 10);
+  };
+  add(field.polynomial);
+  for (const auto& polygon : field.polygons) {
+    for (const auto& vertex : polygon) std::for_each(vertex.begin(), vertex.end(), add);
+  }
+  for (const auto& crossing : field.crossings) std::for_each(crossing.begin(), crossing.end(), add);
+  return bytes;
+}
+
+}  // namespace
+
 std::uint64_t least_bytes(const NetDocument& document) {
-  std::uint64_t bytes = document.epsilon.size();
+  std::uint64_t bytes = document.epsilon.size() + least_bytes(document.surface.field);
   for (const SurfaceDocument::Tile& tile : document.surface.tiles) {
     for (const RationalPoint& vertex : tile) bytes += 8 + least_bytes(vertex);
   }

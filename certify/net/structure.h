@@ -43,6 +43,12 @@ inline constexpr std::uint32_t kMaxRegularSides = 10'000;
 /// What is wrong with one of the two numbers of a map's tile; nullopt if it is in range.
 [[nodiscard]] Problem map_number_problem(std::uint32_t number);
 
+/// The largest degree of a number field.
+inline constexpr std::size_t kMaxFieldDegree = 64;
+
+/// What is wrong with the polynomial of a number field; nullopt if it is monic, and its degree in range.
+[[nodiscard]] Problem polynomial_problem(const std::vector<mpz_class>& polynomial);
+
 /// The first problem, "PLACE: what is wrong, what was expected"; nullopt if there is none. Corners of tiles are not
 /// examined (that is rule `surface`).
 [[nodiscard]] Problem structure_problem(const SurfaceDocument& surface);

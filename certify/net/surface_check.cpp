@@ -81,15 +81,10 @@ std::int64_t euler_characteristic(const SurfaceSides& sides, std::size_t vertice
 /// Seen from vertex 0, the others turn strictly counterclockwise and stay within a half-turn from vertex 1 on: then the
 /// polygon is simple. With a left turn at every vertex a simple polygon is strictly convex. (Left turns alone would let
 /// pass polygons that wind twice.) Signs of determinants in the hyperboloid model, so lines are hyperbolic lines.
-MaybeObjection convexity_problem(const ExactTile& tile, std::size_t t) {
-  const std::size_t n = tile.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    if (gap(tile[k]) <= 0) return named("vertex", k) + " of " + named("tile", t) + " is not inside the unit disk";
-  }
+template <class Real>
+MaybeObjection convexity_problem(const std::vector<HyperboloidVector<Real>>& v, std::size_t t) {
+  const std::size_t n = v.size();
   const std::string tile_name = named("tile", t) + " is not strictly convex and counterclockwise: ";
-  std::vector<HyperboloidVector<mpz_class>> v;
-  v.reserve(n);
-  for (const ExactPoint& vertex : tile) v.push_back(hyperboloid_vector(vertex));
   for (std::size_t k = 0; k < n; ++k) {
     if (orientation(v[k], v[(k + 1) % n], v[(k + 2) % n]) <= 0) {
       return tile_name + "no left turn at its vertex " + std::to_string((k + 1) % n);
@@ -122,58 +117,190 @@ Ball interior_angle(const ExactPoint& v, const ExactPoint& next, const ExactPoin
   return atan2(Ball::rounded(quotient.im), Ball::rounded(quotient.re));
 }
 
-/// Everything about one surface, laid out by side number.
-class SurfaceChecker {
+/// What is particular to tiles with rational vertices.
+class RationalTiles {
  public:
-  SurfaceChecker(const SurfaceDocument& surface, unsigned threads, const Budget& budget)
-      : sides_(surface), threads_(threads), budget_(budget) {
+  RationalTiles(const SurfaceDocument& surface, const SurfaceSides& sides, const Budget& budget)
+      : sides_(sides), budget_(budget), crossings_(sides.partner.size()) {
     for (const SurfaceDocument::Tile& tile : surface.tiles) tiles_.push_back(exact_tile(tile, budget));
   }
-
-  SurfaceOutcome check() {
-    MaybeObjection problem = first_problem(tiles_.size(), threads_, [&](std::size_t t) {
-      spend_on_corners(t);
-      return convexity_problem(tiles_[t], t);
-    });
-    if (!problem) problem = connection_problem(sides_);
-    if (!problem) problem = genus_problem();
-    if (!problem) problem = length_problem();
-    if (!problem) problem = vertex_problem();
-    if (problem) return {{"surface", problem->verdict, problem->text}};
-    return {{"surface", Verdict::verified,
-             "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " +
-                 counted(tiles_.size(), "convex tile", "convex tiles") + ", " +
-                 std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
-                 counted(vertices_.size(), "vertex cycle that closes up", "vertex cycles that close up") +
-                 " exactly with total angle 2*pi"},
-            genus_,
-            RationalCrossings(std::move(crossings_))};
-  }
-
- private:
-  const ExactPoint& start(std::size_t side) const { return tiles_[sides_.tile[side]][sides_.corner[side]]; }
-  const ExactPoint& end(std::size_t side) const { return start(sides_.next[side]); }
 
   /// Three determinants of three vectors, and a crossing and an angle, for each corner: numbers of some four times the
   /// bits of a vertex, and two greatest common divisors.
   void spend_on_corners(std::size_t t) const {
     for (const ExactPoint& vertex : tiles_[t]) budget_.spend(100 * product_work(4 * bits(vertex)));
   }
+  [[nodiscard]] bool is_point(std::size_t t, std::size_t k) const { return gap(tiles_[t][k]) > 0; }
+  static constexpr const char* kNoPoint = "not inside the unit disk";
+  [[nodiscard]] std::vector<HyperboloidVector<mpz_class>> vectors(std::size_t t) const {
+    std::vector<HyperboloidVector<mpz_class>> result;
+    result.reserve(tiles_[t].size());
+    for (const ExactPoint& vertex : tiles_[t]) result.push_back(hyperboloid_vector(vertex));
+    return result;
+  }
+  /// Makes the crossings of two sides that are glued; false if they are not of equal length.
+  bool cross(std::size_t s, std::size_t other) {
+    const Fraction own = length(start(s), end(s));
+    const Fraction glued = length(start(other), end(other));
+    if (own.numerator * glued.denominator != glued.numerator * own.denominator) return false;
+    crossings_[s] = crossing(start(s), end(s), start(other), end(other));
+    crossings_[other] = inverse(crossings_[s]);
+    return true;
+  }
+  static constexpr const char* kNoCrossing = "which is not of equal length";
+  /// Whether the product of crossings, the first one first, is the identity.
+  [[nodiscard]] bool closes_up(const std::vector<std::uint32_t>& path) const {
+    std::vector<const ExactIsometry*> factors;
+    // A tree of products; each of its levels has all the bits.
+    std::size_t path_bits = 0;
+    for (const std::uint32_t s : path) {
+      factors.push_back(&crossings_[s]);
+      path_bits += bits(crossings_[s]);
+    }
+    budget_.spend(8 * product_work(path_bits), std::bit_width(path.size()));
+    return is_identity(compose_path(factors));
+  }
+  [[nodiscard]] Ball angle(std::size_t s) const { return interior_angle(start(s), end(s), start(sides_.previous[s])); }
+  [[nodiscard]] Crossings crossings() { return RationalCrossings(std::move(crossings_)); }
 
-  MaybeObjection length_problem() {
-    crossings_.resize(sides_.partner.size());
+ private:
+  [[nodiscard]] const ExactPoint& start(std::size_t side) const {
+    return tiles_[sides_.tile[side]][sides_.corner[side]];
+  }
+  [[nodiscard]] const ExactPoint& end(std::size_t side) const { return start(sides_.next[side]); }
+
+  const SurfaceSides& sides_;
+  const Budget& budget_;
+  std::vector<ExactTile> tiles_;
+  std::vector<ExactIsometry> crossings_;
+};
+
+using FieldVector = HyperboloidVector<FieldNumber>;
+
+/// What is particular to tiles over a number field (docs/proof/regular-surfaces.md, section 9.1).
+class FieldTiles {
+ public:
+  FieldTiles(const SurfaceDocument& surface, const SurfaceSides& sides, const Budget& budget)
+      : surface_(surface),
+        sides_(sides),
+        field_(std::make_unique<const NumberField>(surface.field.polynomial, surface.field.root, budget)),
+        crossings_(sides.partner.size()) {
+    for (const SurfaceDocument::Field::Polygon& polygon : surface.field.polygons) {
+      for (const auto& [x, y, t] : polygon) vertices_.push_back({number(x), number(y), number(t)});
+    }
+    for (std::size_t i = 0; i < surface.gluing.size(); ++i) {
+      const auto& row = surface.gluing[i];
+      const auto& [a, a_im, b, b_im] = surface.field.crossings[i];
+      const std::uint32_t s = sides.first[row.tile] + row.side;
+      crossings_[s] = {complex_number(a, a_im), complex_number(b, b_im)};
+      crossings_[sides.partner[s]] = inverse(crossings_[s]);
+    }
+  }
+
+  void spend_on_corners(std::size_t /*t*/) const {}  // Numbers do.
+  /// T > 0, and the vector is inside of the light cone.
+  [[nodiscard]] bool is_point(std::size_t t, std::size_t k) const {
+    const FieldVector& v = vertices_[sides_.first[t] + k];
+    return sign(v.t) > 0 && sign(product(v, v)) < 0;
+  }
+  static constexpr const char* kNoPoint = "not inside the light cone";
+  [[nodiscard]] std::vector<FieldVector> vectors(std::size_t t) const {
+    const auto first = vertices_.begin() + sides_.first[t];
+    return {first, first + static_cast<std::ptrdiff_t>(surface_.field.polygons[t].size())};
+  }
+  /// Whether the crossing of a side is an isometry that takes it to the other one.
+  [[nodiscard]] bool cross(std::size_t s, std::size_t other) const {
+    const Isometry<FieldNumber>& f = crossings_[s];
+    return sign(norm(f.a) - norm(f.b)) > 0 && are_parallel(moved(f, start(s)), end(other)) &&
+           are_parallel(moved(f, end(s)), start(other));
+  }
+  static constexpr const char* kNoCrossing = "to which the crossing does not take it";
+  [[nodiscard]] bool closes_up(const std::vector<std::uint32_t>& path) const {
+    const auto f = compose_range(0, path.size(), [&](std::size_t i) { return crossings_[path[i]]; });
+    return sign(twice_imaginary(f.a)) == 0 && sign(twice_real(f.b)) == 0 && sign(twice_imaginary(f.b)) == 0;
+  }
+  /// The argument of N⟨n, p⟩ + ⟨v, n⟩⟨v, p⟩ + i√N det(v, n, p), N = −⟨v, v⟩.
+  [[nodiscard]] Ball angle(std::size_t s) const {
+    const FieldVector& v = start(s);
+    const FieldVector& n = end(s);
+    const FieldVector& p = start(sides_.previous[s]);
+    const FieldNumber minus_square = mpz_class(-1) * product(v, v);
+    const FieldNumber real = minus_square * product(n, p) + product(v, n) * product(v, p);
+    return atan2(sqrt(real_ball(minus_square)) * real_ball(determinant(v, n, p)), real_ball(real));
+  }
+  [[nodiscard]] Crossings crossings() { return FieldCrossings(std::move(field_), std::move(crossings_)); }
+
+ private:
+  using Coefficients = SurfaceDocument::FieldNumber;
+  [[nodiscard]] FieldNumber number(const Coefficients& x) const { return field_number(*field_, x); }
+  [[nodiscard]] FieldNumber complex_number(const Coefficients& re, const Coefficients& im) const {
+    return {field_.get(), number(re).re, number(im).re};
+  }
+  static FieldNumber product(const FieldVector& u, const FieldVector& v) { return u.x * v.x + u.y * v.y - u.t * v.t; }
+  /// Lemma 9.4: (X′, Y′, T′), twice as long.
+  static FieldVector moved(const Isometry<FieldNumber>& f, const FieldVector& v) {
+    const FieldNumber w{v.x.field, v.x.re, v.y.re};
+    const FieldNumber ab = f.a * f.b;
+    const FieldNumber image = f.a * f.a * w + mpz_class(2) * (ab * v.t) + f.b * f.b * conjugate(w);
+    return {twice_real(image), twice_imaginary(image),
+            mpz_class(2) * ((norm(f.a) + norm(f.b)) * v.t + twice_real(f.a * conjugate(f.b) * w))};
+  }
+  static bool are_parallel(const FieldVector& u, const FieldVector& v) {
+    return sign(u.x * v.y - u.y * v.x) == 0 && sign(u.y * v.t - u.t * v.y) == 0 && sign(u.t * v.x - u.x * v.t) == 0;
+  }
+  [[nodiscard]] const FieldVector& start(std::size_t side) const { return vertices_[side]; }
+  [[nodiscard]] const FieldVector& end(std::size_t side) const { return vertices_[sides_.next[side]]; }
+
+  const SurfaceDocument& surface_;
+  const SurfaceSides& sides_;
+  std::unique_ptr<const NumberField> field_;
+  std::vector<FieldVector> vertices_;  ///< By the side that starts there.
+  std::vector<Isometry<FieldNumber>> crossings_;
+};
+
+/// Everything about one surface whose tiles are listed, laid out by side number.
+template <class Tiles>
+class SurfaceChecker {
+ public:
+  SurfaceChecker(const SurfaceDocument& surface, unsigned threads, const Budget& budget)
+      : sides_(surface), threads_(threads), tiles_(surface, sides_, budget) {}
+
+  SurfaceOutcome check() {
+    MaybeObjection problem = first_problem(sides_.first.size(), threads_, [&](std::size_t t) {
+      tiles_.spend_on_corners(t);
+      return tile_problem(t);
+    });
+    if (!problem) problem = connection_problem(sides_);
+    if (!problem) problem = genus_problem();
+    if (!problem) problem = crossing_problem();
+    if (!problem) problem = vertex_problem();
+    if (problem) return {{"surface", problem->verdict, problem->text}};
+    return {{"surface", Verdict::verified,
+             "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " +
+                 counted(sides_.first.size(), "convex tile", "convex tiles") + ", " +
+                 std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
+                 counted(vertices_.size(), "vertex cycle that closes up", "vertex cycles that close up") +
+                 " exactly with total angle 2*pi"},
+            genus_,
+            tiles_.crossings()};
+  }
+
+ private:
+  [[nodiscard]] MaybeObjection tile_problem(std::size_t t) const {
+    const auto vectors = tiles_.vectors(t);
+    for (std::size_t k = 0; k < vectors.size(); ++k) {
+      if (!tiles_.is_point(t, k)) {
+        return named("vertex", k) + " of " + named("tile", t) + " is " + Tiles::kNoPoint;
+      }
+    }
+    return convexity_problem(vectors, t);
+  }
+
+  MaybeObjection crossing_problem() {
     return first_problem(sides_.partner.size(), threads_, [&](std::size_t s) -> MaybeObjection {
       const std::size_t other = sides_.partner[s];
-      if (other < s) return std::nullopt;
-      const Fraction own = length(start(s), end(s));
-      const Fraction glued = length(start(other), end(other));
-      if (own.numerator * glued.denominator != glued.numerator * own.denominator) {
-        return named("side", sides_, s) + " is glued to " + named("side", sides_, other) +
-               ", which is not of equal length";
-      }
-      crossings_[s] = crossing(start(s), end(s), start(other), end(other));
-      crossings_[other] = inverse(crossings_[s]);
-      return std::nullopt;
+      if (other < s || tiles_.cross(s, other)) return std::nullopt;
+      return named("side", sides_, s) + " is glued to " + named("side", sides_, other) + ", " + Tiles::kNoCrossing;
     });
   }
 
@@ -183,20 +310,16 @@ class SurfaceChecker {
 
   /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
   [[nodiscard]] MaybeObjection problem_around(std::uint32_t first) const {
-    std::vector<const ExactIsometry*> path;
+    std::vector<std::uint32_t> path;
     const Precision scope(kAnglePrecision);
     Ball sum;
     std::uint32_t s = first;
     do {
-      path.push_back(&crossings_[s]);
-      sum += interior_angle(start(s), end(s), start(sides_.previous[s]));
+      path.push_back(s);
+      sum += tiles_.angle(s);
       s = sides_.next_around(s);
     } while (s != first);
-    // A tree of products; each of its levels has all the bits.
-    std::size_t path_bits = 0;
-    for (const ExactIsometry* f : path) path_bits += bits(*f);
-    budget_.spend(8 * product_work(path_bits), std::bit_width(path.size()));
-    if (!is_identity(compose_path(path))) {
+    if (!tiles_.closes_up(path)) {
       return "the " + std::to_string(path.size()) + " corners around " + named("vertex", sides_, first) +
              " do not close up: the product of the crossings is not the identity";
     }
@@ -224,12 +347,36 @@ class SurfaceChecker {
 
   SurfaceSides sides_;
   unsigned threads_;
-  const Budget& budget_;
-  std::vector<ExactTile> tiles_;
-  std::vector<ExactIsometry> crossings_;
+  Tiles tiles_;
   std::vector<std::uint32_t> vertices_;  ///< One side that leaves it for each vertex of the surface.
   std::uint64_t genus_ = 0;
 };
+
+/// Lemma 9.2.
+MaybeObjection root_problem(const SurfaceDocument::Field& field, const Budget& budget) {
+  const auto& [lower, upper] = field.root;
+  std::size_t size = 0;
+  for (const mpz_class& coefficient : field.polynomial) size += mpz_sizeinbase(coefficient.get_mpz_t(), 2);
+  for (const mpq_class& end : field.root) {
+    size += field.polynomial.size() * (mpz_sizeinbase(end.get_num_mpz_t(), 2) + mpz_sizeinbase(end.get_den_mpz_t(), 2));
+  }
+  budget.spend(8 * product_work(size), field.polynomial.size() * field.polynomial.size());
+  const std::size_t changes = sign_changes(field.polynomial, lower, upper);
+  if (changes == 0) return Objection("the polynomial has no root in the interval");
+  if (sign_at(field.polynomial, lower) * sign_at(field.polynomial, upper) >= 0) {
+    return Objection("the polynomial does not have different signs at the ends of the interval of its root");
+  }
+  if (changes == 1) return std::nullopt;
+  return Objection("the polynomial may have more than one root in the interval, in which a shorter one decides",
+                   Verdict::undecided);
+}
+
+SurfaceOutcome check_over_field(const SurfaceDocument& surface, unsigned threads, const Budget& budget) {
+  if (const MaybeObjection problem = root_problem(surface.field, budget)) {
+    return {{"surface", problem->verdict, problem->text}};
+  }
+  return SurfaceChecker<FieldTiles>(surface, threads, budget).check();
+}
 
 /// (2x, 2y, 1 + |z|²) in balls, a positive multiple of the point of the hyperboloid.
 BallVector ball_vector(const ExactPoint& z) {
@@ -237,11 +384,13 @@ BallVector ball_vector(const ExactPoint& z) {
   return {Ball::rounded(v.x), Ball::rounded(v.y), Ball::rounded(v.t)};
 }
 
+/// Positive multiples of the corners of a tile as points of the hyperboloid.
+using BallTile = std::vector<BallVector>;
+
 /// The mean of the tile's vertices in the Klein model, in balls.
-std::array<Ball, 2> klein_mean(const ExactTile& tile) {
+std::array<Ball, 2> klein_mean(const BallTile& tile) {
   std::array<Ball, 2> sum;
-  for (const ExactPoint& vertex : tile) {
-    const BallVector v = ball_vector(vertex);
+  for (const BallVector& v : tile) {
     for (std::size_t i = 0; i < 2; ++i) sum[i] += v[i] / v[2];
   }
   return {sum[0] / tile.size(), sum[1] / tile.size()};
@@ -256,7 +405,7 @@ mpz_class scaled_to_integer(const Ball& x, slong precision) {
 
 /// A point inside the tile near the mean of its vertices in the Klein model, with about `precision` bits. Only a good
 /// guess is needed, which the caller tests: midpoints do.
-ExactPoint approximate_centre(const ExactTile& tile, slong precision) {
+ExactPoint approximate_centre(const BallTile& tile, slong precision) {
   std::array<Ball, 2> k = klein_mean(tile);
   for (Ball& x : k) arb_get_mid_arb(x.get(), x.get());
   // From the Klein model to the Poincaré disk.
@@ -268,15 +417,15 @@ ExactPoint approximate_centre(const ExactTile& tile, slong precision) {
 
 /// sinh of the distance of z from the line through p and q, positive on its left: det(p, q, z)/(|p × q| |z|) with the
 /// Lorentz norms |p × q|² = ⟨p,q⟩² − ⟨p,p⟩⟨q,q⟩ and |z|² = −⟨z,z⟩ = (1−|z|²)².
-Ball sinh_distance(const ExactPoint& z, const ExactPoint& p, const ExactPoint& q, slong precision) {
-  const BallVector normal = cross_product(ball_vector(p), ball_vector(q), precision);
+Ball sinh_distance(const ExactPoint& z, const BallVector& p, const BallVector& q, slong precision) {
+  const BallVector normal = cross_product(p, q, precision);
   Ball determinant;
   dot(determinant, normal, ball_vector(z), precision);
   return determinant / (sqrt(lorentz_product(normal, normal, precision)) * Ball::rounded(gap(z)));
 }
 
 /// The disk about a point that touches the first of the tile's sides; nothing unless the point is certainly inside.
-std::optional<InscribedDisk> disk_about(ExactPoint centre, const ExactTile& tile, slong precision) {
+std::optional<InscribedDisk> disk_about(ExactPoint centre, const BallTile& tile, slong precision) {
   if (gap(centre) <= 0) return std::nullopt;
   InscribedDisk disk{std::move(centre), {}};
   for (std::size_t k = 0; k < tile.size(); ++k) {
@@ -285,6 +434,34 @@ std::optional<InscribedDisk> disk_about(ExactPoint centre, const ExactTile& tile
     disk.sinh_radius = k == 0 ? distance : min(disk.sinh_radius, distance);
   }
   return disk;
+}
+
+/// A disk inside a tile of so many corners, which corner(k) gives in balls and corner_work estimates.
+template <class Corner>
+std::optional<InscribedDisk> disk_inside(std::size_t corners, const Corner& corner, std::uint64_t corner_work, long cap,
+                                         const Budget& budget) {
+  std::optional<InscribedDisk> disk;
+  const auto attempt = [&](slong precision) {
+    budget.spend(80 * ball_work(static_cast<std::uint64_t>(precision)), corners);
+    budget.spend(corner_work);
+    BallTile tile;
+    for (std::size_t k = 0; k < corners; ++k) tile.push_back(corner(k));
+    disk = disk_about(approximate_centre(tile, precision), tile, precision);
+    return disk.has_value();
+  };
+  with_rising_precision(std::max(2 * cap, kFirstDiskPrecision), attempt, kFirstDiskPrecision);
+  return disk;
+}
+
+std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Field& field, std::uint32_t tile, long cap,
+                                            const Budget& budget) {
+  const NumberField numbers(field.polynomial, field.root, budget);
+  const SurfaceDocument::Field::Polygon& polygon = field.polygons[tile];
+  const auto corner = [&](std::size_t k) -> BallVector {
+    const auto ball = [&](std::size_t i) { return real_ball(field_number(numbers, polygon[k][i])); };
+    return {ball(0), ball(1), ball(2)};
+  };
+  return disk_inside(polygon.size(), corner, 0, cap, budget);
 }
 
 /// Regular tiles with q corners around every vertex: sides are equal and angles add up, whatever the gluing
@@ -347,8 +524,9 @@ class RegularSurfaceChecker {
 
 SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads, const Budget& budget) {
   try {
-    return regular_tile(surface) ? RegularSurfaceChecker(surface, budget).check()
-                                 : SurfaceChecker(surface, threads, budget).check();
+    if (regular_tile(surface)) return RegularSurfaceChecker(surface, budget).check();
+    if (is_over_field(surface)) return check_over_field(surface, threads, budget);
+    return SurfaceChecker<RationalTiles>(surface, threads, budget).check();
   } catch (const BudgetSpent& spent) {
     return {{"surface", Verdict::undecided, spent.what()}};
   }
@@ -356,19 +534,15 @@ SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads, c
 
 std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, long cap, const Budget& budget) {
   const ExactTile exact = exact_tile(tile, budget);
-  std::optional<InscribedDisk> disk;
-  const auto attempt = [&](slong precision) {
-    budget.spend(80 * ball_work(static_cast<std::uint64_t>(precision)), exact.size());
-    for (const ExactPoint& vertex : exact) budget.spend(4 * product_work(bits(vertex)));
-    disk = disk_about(approximate_centre(exact, precision), exact, precision);
-    return disk.has_value();
-  };
-  with_rising_precision(std::max(2 * cap, kFirstDiskPrecision), attempt, kFirstDiskPrecision);
-  return disk;
+  std::uint64_t work = 0;
+  for (const ExactPoint& vertex : exact) work += 4 * product_work(bits(vertex));
+  return disk_inside(
+      exact.size(), [&](std::size_t k) { return ball_vector(exact[k]); }, work, cap, budget);
 }
 
 std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument& surface, std::uint32_t tile, long cap,
                                             const Budget& budget) {
+  if (is_over_field(surface)) return inscribed_disk(surface.field, tile, cap, budget);
   const auto regular = regular_tile(surface);
   if (!regular) return inscribed_disk(surface.tiles[tile], cap, budget);
   // The inscribed circle.

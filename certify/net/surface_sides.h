@@ -8,7 +8,11 @@
 
 namespace epsnet::certify {
 
+/// Whether the tiles are polygons over a number field.
+[[nodiscard]] inline bool is_over_field(const SurfaceDocument& surface) { return !surface.field.polynomial.empty(); }
+
 [[nodiscard]] inline std::size_t number_of_tiles(const SurfaceDocument& surface) {
+  if (is_over_field(surface)) return surface.field.polygons.size();
   if (surface.map_tile.p != 0) return 2 * surface.gluing.size() / surface.map_tile.p;
   return surface.regular_genus == 0 ? surface.tiles.size() : 1;
 }
@@ -27,9 +31,9 @@ struct SurfaceSides {
   explicit SurfaceSides(const SurfaceDocument& surface) {
     if (const auto regular = regular_tile(surface)) {
       for (std::size_t t = 0; t < number_of_tiles(surface); ++t) add_tile(regular->p);
-    } else {
-      for (const SurfaceDocument::Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
     }
+    for (const SurfaceDocument::Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
+    for (const auto& polygon : surface.field.polygons) add_tile(static_cast<std::uint32_t>(polygon.size()));
     for (const auto& [t, k, other_t, other_k] : surface.gluing) glue(first[t] + k, first[other_t] + other_k);
     for (std::uint32_t k = 0; k < 2 * surface.regular_genus; ++k) glue(k, k + 2 * surface.regular_genus);
     previous.resize(tile.size());

@@ -142,12 +142,18 @@ template <class Number>
   return HyperboloidVector<Real>{twice_real(product), twice_imaginary(product), norm(z.n) + norm(z.d)};
 }
 
+template <class Real>
+[[nodiscard]] Real determinant(const HyperboloidVector<Real>& u, const HyperboloidVector<Real>& v,
+                               const HyperboloidVector<Real>& w) {
+  return u.x * (v.y * w.t - v.t * w.y) - u.y * (v.x * w.t - v.t * w.x) + u.t * (v.x * w.y - v.y * w.x);
+}
+
 /// 1 if the hyperbolic triangle is strictly counterclockwise, −1 if strictly clockwise, 0 if a geodesic contains the
 /// three points. Determinant of the three points as vectors of the hyperboloid model, up to scale.
 template <class Real>
 [[nodiscard]] int orientation(const HyperboloidVector<Real>& u, const HyperboloidVector<Real>& v,
                               const HyperboloidVector<Real>& w) {
-  return sign(u.x * (v.y * w.t - v.t * w.y) - u.y * (v.x * w.t - v.t * w.x) + u.t * (v.x * w.y - v.y * w.x));
+  return sign(determinant(u, v, w));
 }
 
 template <class Number>

@@ -25,27 +25,6 @@ void reduce(Polynomial& x, slong half) {
 
 slong half_order(const RegularNumber& x) { return static_cast<slong>(x.ring->order() / 2); }
 
-Polynomial sum(Polynomial x, Polynomial y) {
-  if (fmpz_poly_is_zero(x.get())) return y;
-  if (!fmpz_poly_is_zero(y.get())) fmpz_poly_add(x.get(), x.get(), y.get());
-  return x;
-}
-
-Polynomial negative(Polynomial x) {
-  fmpz_poly_neg(x.get(), x.get());
-  return x;
-}
-
-Polynomial multiple(const mpz_class& x, const Polynomial& y) {
-  Polynomial result;
-  fmpz_poly_scalar_mul_fmpz(result.get(), y.get(), Integer(x).get());
-  return result;
-}
-
-std::uint64_t bits_of_coefficients(const Polynomial& x) {
-  return static_cast<std::uint64_t>(std::abs(fmpz_poly_max_bits(x.get())));
-}
-
 Polynomial product(const RegularRing& ring, const Polynomial& x, const Polynomial& y) {
   Polynomial result;
   if (fmpz_poly_is_zero(x.get()) || fmpz_poly_is_one(y.get())) return x;

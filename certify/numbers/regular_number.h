@@ -1,29 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <flint/fmpz_poly.h>
 #include <span>
 #include <vector>
 
 #include "certify/numbers/ball.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/exact.h"
+#include "certify/numbers/polynomial.h"
 
 /// The numbers of regular polygons, exactly: ℤ[ζ, s] with ζ = e^{2πi/n} and s² a positive number of ℤ[ζ].
 ///
 /// Regular tiles have such a ring (certify/net/labels.h, docs/proof.md, section 9).
 namespace epsnet::certify {
-
-struct PolynomialType {
-  using Struct = fmpz_poly_struct;
-  static void init(Struct* x) { fmpz_poly_init(x); }
-  static void set(Struct* x, const Struct* y) { fmpz_poly_set(x, y); }
-  static void swap(Struct* x, Struct* y) { fmpz_poly_swap(x, y); }
-  static void clear(Struct* x) { fmpz_poly_clear(x); }
-};
-
-/// A polynomial over ℤ.
-using Polynomial = Owner<PolynomialType>;
 
 /// coefficient·ζ^power.
 struct PowerOfZeta {

@@ -16,11 +16,29 @@ struct Fields<SurfaceDocument::Gluing> {
   static auto elements(auto& g) { return std::tie(g.tile, g.side, g.other_tile, g.other_side); }
 };
 
-enum class SurfaceKind { tiles, regular, map };
+template <>
+struct Fields<std::array<mpq_class, 2>> {
+  static constexpr const char* kExpected = "[l, u], two rationals";
+  static auto elements(auto& pair) { return std::tie(pair[0], pair[1]); }
+};
+
+template <>
+struct Fields<std::array<SurfaceDocument::FieldNumber, 3>> {
+  static constexpr const char* kExpected = "[X, Y, T], three numbers of the field";
+  static auto elements(auto& vertex) { return std::tie(vertex[0], vertex[1], vertex[2]); }
+};
+
+template <>
+struct Fields<std::array<SurfaceDocument::FieldNumber, 4>> {
+  static constexpr const char* kExpected = "[a, a', b, b'], four numbers of the field";
+  static auto elements(auto& crossing) { return std::tie(crossing[0], crossing[1], crossing[2], crossing[3]); }
+};
+
+enum class SurfaceKind { tiles, regular, map, field };
 
 template <>
 struct Fields<SurfaceKind> {
-  static constexpr std::array<std::string_view, 3> kNames{"tiles", "regular", "map"};
+  static constexpr std::array<std::string_view, 4> kNames{"tiles", "regular", "map", "field"};
 };
 
 /// A surface as it is in files, which say of what kind it is. `Surface` is SurfaceDocument, const or not.
@@ -39,14 +57,20 @@ struct Fields<SurfaceObject<Surface>> {
     const bool tiles = object.kind == SurfaceKind::tiles;
     const bool regular = object.kind == SurfaceKind::regular;
     const bool map = object.kind == SurfaceKind::map;
+    const bool field = object.kind == SurfaceKind::field;
     const char* of_kind = tiles     ? " in a surface of the kind \"tiles\""
                           : regular ? " in a surface of the kind \"regular\""
-                                    : " in a surface of the kind \"map\"";
+                          : map     ? " in a surface of the kind \"map\""
+                                    : " in a surface of the kind \"field\"";
     return std::tuple(
         member("kind", object.kind),  //
         member("p", surface.map_tile.p).only_if(map, of_kind), member("q", surface.map_tile.q).only_if(map, of_kind),
+        member("polynomial", surface.field.polynomial).only_if(field, of_kind),
+        member("root", surface.field.root).only_if(field, of_kind),
+        member("polygons", surface.field.polygons).only_if(field, of_kind),
         member("tiles", surface.tiles).only_if(tiles, of_kind),
         member("gluing", surface.gluing).only_if(!regular, of_kind),
+        member("crossings", surface.field.crossings).only_if(field, of_kind),
         member("genus", surface.regular_genus).only_if(regular, of_kind), member("about", surface.about).optional());
   }
 };

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <gmpxx.h>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "certify/numbers/ball.h"
+#include "certify/numbers/budget.h"
+#include "certify/numbers/exact.h"
+#include "certify/numbers/isometry.h"
+#include "certify/numbers/polynomial.h"
+
+/// The numbers of a surface over a number field, exactly: ℤ[α, i], α a real root of a monic polynomial over ℤ.
+///
+/// The polynomial need not be irreducible (docs/proof.md, Lemma 9.3).
+namespace epsnet::certify {
+
+/// How often the coefficients of (1 + x)^d f((lower + upper·x)/(1 + x)) change their sign, d the degree of f: 1 says
+/// that f has one root between the two, a simple one, and 0 that it has none (Lemma 9.2). `f` has the coefficients of f
+/// from that of 1 on.
+[[nodiscard]] std::size_t sign_changes(const std::vector<mpz_class>& f, const mpq_class& lower, const mpq_class& upper);
+
+/// f(x) > 0, f(x) = 0 or f(x) < 0.
+[[nodiscard]] int sign_at(const std::vector<mpz_class>& f, const mpq_class& x);
+
+/// ℤ[α]. Arithmetic and `sign` take their work off the budget; BudgetSpent, if that is too much. For any number of
+/// threads.
+class NumberField {
+ public:
+  /// α is the root of f between the two, where f has one change of signs and different signs. f is monic.
+  NumberField(const std::vector<mpz_class>& f, const std::array<mpq_class, 2>& between, Budget budget = {});
+
+  [[nodiscard]] std::size_t degree() const { return static_cast<std::size_t>(fmpz_poly_degree(f_.get())); }
+  [[nodiscard]] const Polynomial& f() const { return f_; }
+  [[nodiscard]] const Budget& budget() const { return budget_; }
+  /// The value at α, to about as many bits as balls have: relative to the coefficients.
+  [[nodiscard]] Ball value(const Polynomial& x) const;
+  /// Modulo f.
+  void reduce(Polynomial& x) const;
+
+ private:
+  /// α to so many bits after the point.
+  [[nodiscard]] Ball root(slong bits) const;
+
+  Polynomial f_;
+  Polynomial derivative_;
+  Budget budget_;
+  mutable std::mutex mutex_;
+  mutable std::map<slong, Ball> roots_;  ///< By bits; the derivative is known to within a third on each of them.
+};
+
+/// The number re + im·i; the degrees are less than that of the field. The field must outlive the number.
+struct FieldNumber {
+  const NumberField* field;
+  Polynomial re;
+  Polynomial im = {};
+};
+
+/// A Gaussian integer, and e₀ + e₁α + ….
+[[nodiscard]] FieldNumber field_number(const NumberField& field, const Gaussian& x);
+[[nodiscard]] FieldNumber field_number(const NumberField& field, const std::vector<mpz_class>& coefficients);
+
+// Numbers of the same field only.
+[[nodiscard]] FieldNumber operator+(FieldNumber x, FieldNumber y);
+[[nodiscard]] FieldNumber operator-(FieldNumber x, FieldNumber y);
+[[nodiscard]] FieldNumber operator*(const FieldNumber& x, const FieldNumber& y);
+[[nodiscard]] FieldNumber operator*(const mpz_class& x, const FieldNumber& y);
+[[nodiscard]] FieldNumber operator*(const Gaussian& x, const FieldNumber& y);
+[[nodiscard]] FieldNumber conjugate(FieldNumber x);
+/// |x|², a real number.
+[[nodiscard]] FieldNumber norm(const FieldNumber& x);
+/// x + x̄ and −i(x − x̄), real numbers.
+[[nodiscard]] FieldNumber twice_real(const FieldNumber& x);
+[[nodiscard]] FieldNumber twice_imaginary(const FieldNumber& x);
+
+/// The sign of a real number, exactly (Lemma 9.3).
+[[nodiscard]] int sign(const FieldNumber& x);
+
+/// The number of bits of all coefficients.
+[[nodiscard]] std::size_t bits(const FieldNumber& x);
+/// A real number, to about as many bits as balls have, relative to its size unless that is below 2^−bits(x).
+[[nodiscard]] Ball real_ball(const FieldNumber& x);
+
+/// The same isometry with the common integer divisor of its numbers taken out.
+void reduce(Isometry<FieldNumber>& f);
+/// The isometry, scaled to determinant 1, to about `precision` bits. `determinant` is |a|² − |b|², a real number > 0.
+[[nodiscard]] BallIsometry to_balls(const Isometry<FieldNumber>& f, const FieldNumber& determinant, slong precision);
+
+}  // namespace epsnet::certify
