@@ -118,8 +118,9 @@ Surface read_domain(std::string_view text, std::string_view name) {
 }
 
 std::string write_domain(const Surface& surface) {
-  if (surface.is_regular()) {
-    throw ExchangeError("a regular polygon has no rational vertices, so the domain format cannot hold it");
+  if (!surface.is_rational()) {
+    throw ExchangeError(
+        "a polygon over a number field or a regular one has no rational vertices, so the domain format cannot hold it");
   }
   if (surface.tiles().size() != 1) {
     throw ExchangeError("the domain format holds one polygon, the surface has " +

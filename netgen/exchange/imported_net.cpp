@@ -107,7 +107,7 @@ class Builder {
 
 certify::NetDocument net_of_tiles(const Surface& surface, const Length& epsilon) {
   for (const TileId t : surface.tile_ids()) {
-    if (surface.is_regular() || surface.tile(t).size() != 3) {
+    if (!surface.is_rational() || surface.tile(t).size() != 3) {
       throw ExchangeError("tile " + to_string(t) + " has " + std::to_string(surface.tile(t).size()) +
                           " sides, expected triangles: the triangulation is to be that of the tiles");
     }

@@ -78,7 +78,7 @@ TriangulationStream stream_of(Triangles triangles) {
 class TriangulatedTiles {
  public:
   explicit TriangulatedTiles(const Surface& surface) : surface_(surface) {
-    require_tiles(!surface.is_regular());
+    require_tiles(surface.is_rational());
     ById<SideId, std::uint32_t> dart_of_side;
     for (const TileId tile : surface.tile_ids()) cut(tile, dart_of_side);
     for (const SideId s : dart_of_side.ids()) {

@@ -7,6 +7,7 @@
 
 #include "certify/numbers/exact.h"
 #include "kernel/lorentz.h"
+#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/triangle_group.h"
 #include "netgen/surfaces/word_isometry.h"
 #include "triangulation/surface/error.h"
@@ -63,12 +64,38 @@ class RegularElements {
   TriangleGroup group_;
 };
 
+/// Elements of groups of surfaces over one number field.
+class FieldElements {
+ public:
+  using Normal = ScaledNormal<certify::FieldNumber>;
+
+  [[nodiscard]] static std::optional<Normal> normal_of(const Surface& surface, const Word& word) {
+    std::size_t bits = 0;
+    for (const SideId s : word) {
+      const auto& crossing = surface.field_tiles()->crossing[s];
+      bits += certify::bits(crossing.a) + certify::bits(crossing.b);
+    }
+    if (bits > kMostBits) return std::nullopt;
+    return scaled_normal(field_isometry(surface, word));
+  }
+};
+
+/// Whether both are over one field, which is given in one way.
+[[nodiscard]] bool have_one_field(const Surface& first, const Surface& second) {
+  const auto& tiles = first.field_tiles();
+  const auto& others = second.field_tiles();
+  return tiles && others && tiles->document.polynomial == others->document.polynomial &&
+         tiles->document.root == others->document.root;
+}
+
 /// What `use` makes of the elements of both surfaces. Nothing, if they are in different rings, or in none.
 template <class Use>
 [[nodiscard]] std::optional<bool> with_elements(const Surface& first, const Surface& second, const Use& use) {
   const auto tile = first.regular_tile();
   if (tile != second.regular_tile()) return std::nullopt;
-  if (!tile) return use(RationalElements());
+  if (first.is_rational() && second.is_rational()) return use(RationalElements());
+  if (have_one_field(first, second)) return use(FieldElements());
+  if (!tile) return std::nullopt;
   try {
     return use(RegularElements(*tile));
   } catch (const SurfaceError&) {

@@ -12,6 +12,7 @@
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/bounds.h"
+#include "netgen/surfaces/field_tiles.h"
 
 namespace epsnet {
 namespace {
@@ -195,6 +196,10 @@ Facts surface_info(const Surface& surface, const std::string& kind) {
     out.line("kind", "a map of type {" + std::to_string(regular->p) + ", " + std::to_string(regular->q) + "}");
     out.json["type"] = {regular->p, regular->q};
   }
+  if (const auto& tiles = surface.field_tiles()) {
+    out.line("kind", "over a number field of degree " + std::to_string(tiles->field.degree()));
+    out.json["field_degree"] = tiles->field.degree();
+  }
   out.json["regular"] = surface.is_regular();
   std::size_t longest = 0;
   std::size_t total = 0;
@@ -215,9 +220,9 @@ Facts surface_info(const Surface& surface, const std::string& kind) {
   }
   const std::size_t mean = total / 2 / surface.side_count();
   out.line("height of the coordinates",
-           surface.is_regular() ? "algebraic, not rational"
-                                : "up to " + std::to_string(longest) + " digits, mean " + std::to_string(mean));
-  if (!surface.is_regular()) out.json["digits"] = Json::object({{"max", longest}, {"mean", mean}});
+           !surface.is_rational() ? "algebraic, not rational"
+                                  : "up to " + std::to_string(longest) + " digits, mean " + std::to_string(mean));
+  if (surface.is_rational()) out.json["digits"] = Json::object({{"max", longest}, {"mean", mean}});
   out.line("side lengths", sides.text());
   out.json["side_lengths"] = sides.json();
   out.add("perimeter of all tiles", "perimeter", perimeter);

@@ -20,6 +20,7 @@
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/net_document.h"
+#include "netgen/surfaces/surface_file.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/points.h"
@@ -281,20 +282,9 @@ class StagedEvaluator {
 
 }  // namespace
 
-namespace {
-
-Surface regular_surface(const certify::SurfaceDocument& document) {
-  if (document.regular_genus != 0) return Surface::regular(document.regular_genus);
-  std::vector<Gluing> gluing;
-  for (const auto& [t, k, other_t, other_k] : document.gluing) gluing.push_back({t, k, other_t, other_k});
-  return Surface::map({document.map_tile.p, document.map_tile.q}, std::move(gluing));
-}
-
-}  // namespace
-
 certify::SurfaceDocument with_rounded_tiles(const certify::SurfaceDocument& surface) {
-  if (!certify::regular_tile(surface)) return surface;
-  const Surface regular = regular_surface(surface);
+  if (!surface.tiles.empty()) return surface;
+  const Surface regular = from_document(surface);
   certify::SurfaceDocument result;
   for (const Tile& tile : regular.tiles()) {
     certify::SurfaceDocument::Tile& copy = result.tiles.emplace_back();
@@ -321,11 +311,11 @@ double size_in_bits(const Isometry<T>& f) {
 
 template <class T>
 Parts<T>::Parts(const certify::NetDocument& document, const certify::SurfaceSides& sides) {
-  std::optional<Surface> regular;
-  if (certify::regular_tile(document.surface)) regular = regular_surface(document.surface);
+  std::optional<Surface> irrational;
+  if (document.surface.tiles.empty()) irrational = from_document(document.surface);
   for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
-    if (regular) {
-      crossings.push_back(regular->crossing_as<T>(SideId(side)));
+    if (irrational) {
+      crossings.push_back(irrational->crossing_as<T>(SideId(side)));
       continue;
     }
     // The isometry takes side k, from p to q, to side j, from p' to q': p to q' and q to p'.

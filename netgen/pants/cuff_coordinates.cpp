@@ -61,7 +61,7 @@ Word joined(Word first, const Word& then) {
 
 /// e^{l/2} for an element of length l, if it is rational.
 std::optional<Rational> rational_root(const Surface& surface, const Word& path) {
-  if (surface.is_regular() || path.empty() || path.size() > kMostLetters) return std::nullopt;
+  if (!surface.is_rational() || path.empty() || path.size() > kMostLetters) return std::nullopt;
   const certify::ExactIsometry f = integer_isometry(surface, path);
   // cosh(l/2) = |Re a|/√det, and sinh²(l/2) = (|b|² − (Im a)²)/det.
   const mpz_class square = f.b.re * f.b.re + f.b.im * f.b.im - f.a.im * f.a.im;

@@ -254,7 +254,7 @@ ById<SideId, Word> dehn_twist_words(const Surface& surface, const Word& curve, s
 }
 
 Surface dehn_twisted(const Surface& surface, const Word& curve, std::int32_t power) {
-  if (surface.is_regular()) throw SurfaceError("a Dehn twist needs tiles with rational corners, not regular ones");
+  if (!surface.is_rational()) throw SurfaceError("a Dehn twist needs tiles with rational corners");
   TwistedTiles tiles(surface, TwistCurve(surface, curve, power));
   tiles.relax();
   constexpr unsigned kMostBits = 240;

@@ -37,7 +37,7 @@ certify::SurfaceDocument with_first_corner(certify::SurfaceDocument surface, std
 /// Returns the corner of a chart's tile that is the chart's centre, if there is one.
 std::optional<std::uint32_t> corner_at(const certify::SurfaceDocument& surface,
                                        const certify::NetDocument::Chart& chart) {
-  if (certify::regular_tile(surface)) return std::nullopt;
+  if (surface.tiles.empty()) return std::nullopt;
   const certify::SurfaceDocument::Tile& tile = surface.tiles[chart.tile];
   const auto found = std::find(tile.begin(), tile.end(), chart.centre);
   if (found == tile.end()) return std::nullopt;

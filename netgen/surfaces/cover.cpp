@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/file/json.h"
+#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/one_relator.h"
@@ -224,6 +225,14 @@ std::optional<std::array<Permutation, 2>> draw_pair(const Permutation& w, const 
   return std::array{std::move(x), std::move(y)};
 }
 
+/// The rows, so many times.
+template <class Row>
+std::vector<Row> repeated(const std::vector<Row>& rows, std::size_t times) {
+  std::vector<Row> result;
+  for (std::size_t i = 0; i < times; ++i) result.insert(result.end(), rows.begin(), rows.end());
+  return result;
+}
+
 }  // namespace
 
 std::vector<Permutation> parse_permutations(const std::string& text) {
@@ -276,16 +285,21 @@ Surface cover(const Surface& base, const std::vector<Permutation>& permutations)
   for (std::uint32_t k = 0; k < polygon.side.size(); ++k) side_of_polygon[polygon.side[k]] = k;
   std::vector<Tile> copies;
   std::vector<Gluing> gluing;
+  certify::SurfaceDocument::Field over_field;
+  if (base.field_tiles()) over_field = base.field_tiles()->document;
   for (std::uint32_t sheet = 0; sheet < degree; ++sheet) {
-    if (!base.is_regular()) copies.insert(copies.end(), base.tiles().begin(), base.tiles().end());
+    if (base.is_rational()) copies.insert(copies.end(), base.tiles().begin(), base.tiles().end());
     for (const Gluing& g : base.gluing()) {
       const std::uint32_t k = side_of_polygon[base.side_number(TileId(g.tile), g.side)];
       const std::uint32_t other = k < across.size() ? across[k][sheet] : sheet;
       gluing.push_back({sheet * tiles + g.tile, g.side, other * tiles + g.other_tile, g.other_side});
     }
   }
-  Surface result = base.is_regular() ? Surface::map(*base.regular_tile(), std::move(gluing))
-                                     : Surface(std::move(copies), std::move(gluing));
+  over_field.polygons = repeated(over_field.polygons, degree);
+  over_field.crossings = repeated(over_field.crossings, degree);
+  Surface result = base.is_regular()    ? Surface::map(*base.regular_tile(), std::move(gluing))
+                   : base.is_rational() ? Surface(std::move(copies), std::move(gluing))
+                                        : surface_over_field(std::move(over_field), std::move(gluing));
   const std::string of = base.about().empty() ? "a surface of genus " + std::to_string(base.genus()) : base.about();
   result.set_about("cover of degree " + std::to_string(degree) + " of " + of);
   return result;

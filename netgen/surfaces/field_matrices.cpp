@@ -30,11 +30,11 @@ std::string named(std::size_t k) { return "generator " + std::to_string(k + 1); 
 
 Generator generator_of(const std::array<std::string, 4>& texts, MatrixModel model, const TriangleGroup& group,
                        const std::string& name) {
-  std::vector<FieldNumber> numbers;
+  std::vector<RingNumber> numbers;
   mpz_class denominator = 1;
   for (const std::string& text : texts) {
     try {
-      numbers.push_back(parse_field_number(text, group));
+      numbers.push_back(parse_ring_number(text, group));
     } catch (const SurfaceError& error) {
       throw MatricesError(Kind::text, name + ": " + error.what());
     }
@@ -42,7 +42,7 @@ Generator generator_of(const std::array<std::string, 4>& texts, MatrixModel mode
   }
   std::vector<certify::RegularNumber> e;
   e.reserve(numbers.size());
-  for (const FieldNumber& number : numbers) e.push_back(mpz_class(denominator / number.denominator) * number.numerator);
+  for (const RingNumber& number : numbers) e.push_back(mpz_class(denominator / number.denominator) * number.numerator);
   const std::array<Number, 4> r{numbers[0].rounded, numbers[1].rounded, numbers[2].rounded, numbers[3].rounded};
   const certify::Gaussian i{0, 1};
   ExactElement exact = model == MatrixModel::su11

@@ -27,13 +27,13 @@ mpz_class coefficient(const certify::Polynomial& x, slong power) {
   return result.value();
 }
 
-class FieldParser {
+class RingNumberParser {
  public:
-  FieldParser(std::string_view text, const TriangleGroup& group)
+  RingNumberParser(std::string_view text, const TriangleGroup& group)
       : text_(text), group_(group), order_(group.ring().order()) {}
 
-  FieldNumber read() {
-    FieldNumber result = sum();
+  RingNumber read() {
+    RingNumber result = sum();
     if (at_ != text_.size()) fail("an operator");
     return result;
   }
@@ -74,13 +74,13 @@ class FieldParser {
     return std::stoll(std::string(found));
   }
 
-  FieldNumber sum() {
-    FieldNumber result = product();
+  RingNumber sum() {
+    RingNumber result = product();
     while (at_ < text_.size()) {
       const bool minus = text_[at_] == '-';
       if (!minus && text_[at_] != '+') break;
       ++at_;
-      FieldNumber other = product();
+      RingNumber other = product();
       if (minus) other = negative(std::move(other));
       result = {other.denominator * result.numerator + result.denominator * other.numerator,
                 result.denominator * other.denominator, result.rounded + other.rounded};
@@ -88,15 +88,15 @@ class FieldParser {
     return result;
   }
 
-  FieldNumber product() {
-    FieldNumber result = factor();
+  RingNumber product() {
+    RingNumber result = factor();
     while (true) {
       if (take("*")) {
-        const FieldNumber other = factor();
+        const RingNumber other = factor();
         result = {result.numerator * other.numerator, result.denominator * other.denominator,
                   result.rounded * other.rounded};
       } else if (take("/")) {
-        const FieldNumber other = factor();
+        const RingNumber other = factor();
         const auto divisor = rational_numerator(other);
         if (!divisor || *divisor == 0) fail("a rational number other than 0 before this");
         result = {mpz_class(sgn(*divisor) * other.denominator) * result.numerator, result.denominator * abs(*divisor),
@@ -108,24 +108,24 @@ class FieldParser {
   }
 
   /// Of a number that is written as a rational one.
-  static std::optional<mpz_class> rational_numerator(const FieldNumber& x) {
+  static std::optional<mpz_class> rational_numerator(const RingNumber& x) {
     const auto& [ring, u, v] = x.numerator;
     if (fmpz_poly_degree(u.get()) > 0 || !fmpz_poly_is_zero(v.get())) return std::nullopt;
     return coefficient(u, 0);
   }
 
-  FieldNumber factor() {
+  RingNumber factor() {
     constexpr int kMostDepth = 100;
     if (++depth_ > kMostDepth) fail("fewer parentheses, or signs before a number,");
-    FieldNumber result = factor_at_depth();
+    RingNumber result = factor_at_depth();
     --depth_;
     return result;
   }
 
-  FieldNumber factor_at_depth() {
+  RingNumber factor_at_depth() {
     if (take("-")) return negative(factor());
     if (take("(")) {
-      FieldNumber result = sum();
+      RingNumber result = sum();
       expect(")");
       return result;
     }
@@ -133,8 +133,8 @@ class FieldParser {
     if (take("sin(")) return cosine(true);
     if (take("sqrt(")) {
       const std::size_t first = at_;
-      const FieldNumber square = sum();
-      FieldNumber result = root(square, "sqrt(" + std::string(text_.substr(first, at_ - first)) + ")");
+      const RingNumber square = sum();
+      RingNumber result = root(square, "sqrt(" + std::string(text_.substr(first, at_ - first)) + ")");
       expect(")");
       return result;
     }
@@ -149,12 +149,12 @@ class FieldParser {
             rounded<Number>(*value)};
   }
 
-  static FieldNumber negative(FieldNumber x) {
+  static RingNumber negative(RingNumber x) {
     return {mpz_class(-1) * x.numerator, std::move(x.denominator), -x.rounded};
   }
 
   /// The cosine of a multiple of π, or the sine, after its parenthesis.
-  FieldNumber cosine(bool is_sine) {
+  RingNumber cosine(bool is_sine) {
     const std::size_t first = at_;
     const std::int64_t sign = take("-") ? -1 : 1;
     std::int64_t times = 1;
@@ -177,14 +177,14 @@ class FieldParser {
   }
 
   /// The root of a rational number, or of s² times the square of one.
-  FieldNumber root(const FieldNumber& x, const std::string& name) {
+  RingNumber root(const RingNumber& x, const std::string& name) {
     constexpr long kGreatest = 1'000'000;
     if (const auto numerator = rational_numerator(x)) {
       const mpz_class product = *numerator * x.denominator;
       if (product < 0 || product > kGreatest) {
         fail("a rational number n/m before this, n times m from 0 to " + std::to_string(kGreatest));
       }
-      FieldNumber result = root_of_integer(product.get_si(), name);
+      RingNumber result = root_of_integer(product.get_si(), name);
       result.denominator = x.denominator;
       result.rounded /= rounded<Number>(mpq_class(x.denominator));
       return result;
@@ -209,7 +209,7 @@ class FieldParser {
   }
 
   /// √n, by Gauss's sums: Σ (a/p) e^{2πia/p} is √p, or i√p for p = 3 modulo 4.
-  FieldNumber root_of_integer(std::int64_t n, const std::string& name) {
+  RingNumber root_of_integer(std::int64_t n, const std::string& name) {
     RegularNumber result = certify::regular_number(group_.ring(), certify::Gaussian{n == 0 ? 0 : 1, 0});
     std::int64_t rest = std::max<std::int64_t>(n, 1);
     for (std::int64_t prime = 2; prime <= rest; ++prime) {
@@ -274,8 +274,8 @@ std::string sum_text(const std::vector<mpz_class>& coefficients, const mpz_class
 
 }  // namespace
 
-FieldNumber parse_field_number(std::string_view text, const TriangleGroup& group) {
-  return FieldParser(text, group).read();
+RingNumber parse_ring_number(std::string_view text, const TriangleGroup& group) {
+  return RingNumberParser(text, group).read();
 }
 
 std::vector<std::string> field_texts(const std::vector<RegularNumber>& numbers) {

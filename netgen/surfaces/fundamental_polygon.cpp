@@ -109,7 +109,7 @@ FundamentalPolygon fundamental_polygon(const Surface& surface) {
     word.insert(word.end(), home.begin(), home.end());
     result.sides.push_back({std::move(word), polygon.partner[k], s});
     const Complex<Rational>& corner = surface.tile(here)[surface.place_in_tile(s)];
-    if (surface.is_regular()) {
+    if (!surface.is_rational()) {
       result.vertices.push_back(rounded_from(surface, tree.path[here], corner));
       continue;
     }

@@ -14,6 +14,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/field_tiles.h"
 
 namespace epsnet {
 
@@ -26,6 +27,8 @@ certify::SurfaceDocument to_document(const Surface& surface) {
   }
   if (const auto& regular = surface.regular_tile()) {
     document.map_tile = {regular->p, regular->q};
+  } else if (surface.field_tiles()) {
+    document.field = surface.field_tiles()->document;
   } else {
     for (const Tile& tile : surface.tiles()) {
       certify::SurfaceDocument::Tile& copy = document.tiles.emplace_back();
@@ -54,7 +57,9 @@ Surface from_document(const certify::SurfaceDocument& surface) {
     gluing.push_back({tile, side, other_tile, other_side});
   }
   const auto [p, q] = surface.map_tile;
-  Surface result = p != 0 ? Surface::map({p, q}, std::move(gluing)) : Surface(std::move(tiles), std::move(gluing));
+  Surface result = p != 0                              ? Surface::map({p, q}, std::move(gluing))
+                   : !surface.field.polynomial.empty() ? surface_over_field(surface.field, std::move(gluing))
+                                                       : Surface(std::move(tiles), std::move(gluing));
   result.set_about(surface.about);
   return result;
 }

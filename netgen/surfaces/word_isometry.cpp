@@ -6,6 +6,7 @@
 #include <string>
 
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
 
 namespace epsnet {
@@ -29,15 +30,21 @@ certify::Gaussian to_gaussian(const Complex<Rational>& z) {
   return {to_gmp(z.x).get_num(), to_gmp(z.y).get_num()};
 }
 
-certify::BallIsometry regular_product(const Surface& surface, const Word& word, slong precision) {
+/// The crossing of a side that is not rational.
+certify::BallIsometry ball_crossing(const Surface& surface, SideId side, slong precision) {
+  if (const auto& tiles = surface.field_tiles()) {
+    const certify::Isometry<certify::FieldNumber>& f = tiles->crossing[side];
+    return certify::to_balls(f, certify::norm(f.a) - certify::norm(f.b), precision);
+  }
+  const auto [p, q] = *surface.regular_tile();
+  return certify::regular_crossing({p, q}, surface.place_in_tile(side), surface.place_in_tile(surface.partner(side)),
+                                   precision);
+}
+
+certify::BallIsometry ball_product(const Surface& surface, const Word& word, slong precision) {
   if (word.empty()) return certify::identity_isometry();
   return certify::compose_range(
-      0, word.size(),
-      [&](std::size_t i) {
-        const auto [p, q] = *surface.regular_tile();
-        return certify::regular_crossing({p, q}, surface.place_in_tile(word[i]),
-                                         surface.place_in_tile(surface.partner(word[i])), precision);
-      },
+      0, word.size(), [&](std::size_t i) { return ball_crossing(surface, word[i], precision); },
       [&](const certify::BallIsometry& f, const certify::BallIsometry& g) {
         return certify::compose(f, g, precision);
       });
@@ -107,13 +114,13 @@ certify::ExactIsometry integer_isometry(const Surface& surface, const Word& word
 }
 
 certify::BallIsometry ball_isometry(const Surface& surface, const Word& word, slong precision) {
-  return surface.is_regular() ? regular_product(surface, word, precision)
-                              : certify::to_balls(integer_isometry(surface, word), precision);
+  return surface.is_rational() ? certify::to_balls(integer_isometry(surface, word), precision)
+                               : ball_product(surface, word, precision);
 }
 
 Isometry<Rational> exact_isometry(const Surface& surface, const Word& word) {
   require_path(surface, word);
-  if (surface.is_regular()) throw SurfaceError("the isometries of regular tiles are not rational");
+  if (!surface.is_rational()) throw SurfaceError("the isometries of these tiles are not rational");
   const certify::ExactIsometry f = integer_isometry(surface, word);
   const auto rational = [](const mpz_class& x) { return from_gmp(mpq_class(x)); };
   return {{rational(f.a.re), rational(f.a.im)}, {rational(f.b.re), rational(f.b.im)}};
@@ -126,11 +133,11 @@ EnclosedIsometry enclosed_isometry(const Surface& surface, const Word& word, uns
                                 " bits, not " + std::to_string(bits));
   }
   const certify::ExactIsometry exact =
-      surface.is_regular() ? certify::exact_identity() : integer_isometry(surface, word);
+      surface.is_rational() ? integer_isometry(surface, word) : certify::exact_identity();
   const slong wanted = static_cast<slong>(bits) + 4;
   for (slong precision = wanted + 32;; precision *= 2) {
     const certify::BallIsometry f =
-        surface.is_regular() ? regular_product(surface, word, precision) : certify::to_balls(exact, precision);
+        surface.is_rational() ? certify::to_balls(exact, precision) : ball_product(surface, word, precision);
     const slong size = least_exponent(f.a);
     if (is_narrow(f.a.re(), size, wanted) && is_narrow(f.a.im(), size, wanted) && is_narrow(f.b.re(), size, wanted) &&
         is_narrow(f.b.im(), size, wanted)) {

@@ -22,7 +22,7 @@ using Kind = MatricesError::Kind;
 /// The exact number of a text, as a double, and whether the exact number is 0.
 std::pair<double, bool> read(std::string_view text, RegularTile tile = {8, 8}) {
   const TriangleGroup group(tile);
-  const FieldNumber x = parse_field_number(text, group);
+  const RingNumber x = parse_ring_number(text, group);
   return {static_cast<double>(x.rounded), certify::sign(x.numerator) == 0};
 }
 
@@ -41,7 +41,7 @@ std::string problem_of_number(std::string_view text) {
   return "no problem";
 }
 
-TEST(FieldNumber, IsThatOfItsText) {
+TEST(RingNumber, IsThatOfItsText) {
   EXPECT_EQ(read("-3/4").first, -0.75);
   EXPECT_EQ(read("2-3-4").first, -5);
   EXPECT_EQ(read("1/2/2+2*3").first, 6.25);
@@ -57,7 +57,7 @@ TEST(FieldNumber, IsThatOfItsText) {
   EXPECT_FALSE(is_zero("s-1.2871885058"));
 }
 
-TEST(FieldNumber, MayBeAnyRootOfTheField) {
+TEST(RingNumber, MayBeAnyRootOfTheField) {
   EXPECT_TRUE(is_zero("sqrt(3)-2*cos(pi/6)", {12, 12}));
   EXPECT_TRUE(is_zero("(1+sqrt(5))/2-2*cos(pi/5)", {5, 4}));
   EXPECT_TRUE(is_zero("sqrt(7)*sqrt(7)-7", {7, 3}));
@@ -66,7 +66,7 @@ TEST(FieldNumber, MayBeAnyRootOfTheField) {
   EXPECT_TRUE(is_zero("sqrt(0)"));
 }
 
-TEST(FieldNumber, ThatIsNoneIsNamed) {
+TEST(RingNumber, ThatIsNoneIsNamed) {
   EXPECT_THAT(problem_of_number("sqrt(3)"), StartsWith("sqrt(3) is not a number of these tiles"));
   EXPECT_THAT(problem_of_number("1+cos(2*pi/7)"), StartsWith("cos(2*pi/7) is not a number of these tiles"));
   EXPECT_THAT(problem_of_number("sqrt(1+sqrt(2))"), StartsWith("sqrt(1+sqrt(2)) is not a number of these tiles"));
@@ -83,16 +83,16 @@ TEST(FieldNumber, ThatIsNoneIsNamed) {
   }
 }
 
-TEST(FieldNumber, TextsAreReadBack) {
+TEST(RingNumber, TextsAreReadBack) {
   const TriangleGroup group({7, 3});
-  const FieldNumber x = parse_field_number("3-sqrt(21)*s+cos(3*pi/7)*2", group);
+  const RingNumber x = parse_ring_number("3-sqrt(21)*s+cos(3*pi/7)*2", group);
   const std::vector<std::string> texts =
       field_texts({x.numerator, mpz_class(2) * x.numerator, x.numerator - x.numerator});
   ASSERT_EQ(texts.size(), 3U);
   EXPECT_EQ(texts[2], "0");
   EXPECT_TRUE(is_zero("2*(" + texts[0] + ")-(" + texts[1] + ")", {7, 3}));
   // Up to a factor, which is a rational number.
-  const auto ratio = static_cast<double>(parse_field_number(texts[0], group).rounded / x.rounded);
+  const auto ratio = static_cast<double>(parse_ring_number(texts[0], group).rounded / x.rounded);
   EXPECT_DOUBLE_EQ(ratio * 2, std::round(ratio * 2));
 }
 
@@ -109,7 +109,7 @@ RC_GTEST_PROP(TriangleGroupProperty, ElementsAreKnownAsWalks, ()) {
       field_texts({certify::twice_real(element.a), certify::twice_imaginary(element.a), certify::twice_real(element.b),
                    certify::twice_imaginary(element.b)});
   std::vector<TriangleGroup::Number> numbers;
-  for (const std::string& part : parts) numbers.push_back(parse_field_number(part, group).rounded);
+  for (const std::string& part : parts) numbers.push_back(parse_ring_number(part, group).rounded);
   const auto found =
       group.walk(normalized(Isometry<TriangleGroup::Number>{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}}));
   RC_ASSERT(found.has_value());
@@ -163,7 +163,7 @@ TEST(FieldMatrices, AreThoseOfTheirWords) {
     Isometry<Mp1024> f;
     for (const SideId s : made.words[k]) f = made.surface.crossing_as<Mp1024>(s) * f;
     std::vector<Mp1024> e;
-    for (const std::string& text : matrices.numbers[k]) e.push_back(parse_field_number(text, group).rounded);
+    for (const std::string& text : matrices.numbers[k]) e.push_back(parse_ring_number(text, group).rounded);
     const Isometry<Mp1024> given{{e[0], e[1]}, {e[2], e[3]}};
     const Isometry<Mp1024> rest = normalized(inverse(f) * given);
     EXPECT_LT(norm(rest.b) + rest.a.y * rest.a.y, 1e-100) << k;

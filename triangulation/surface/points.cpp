@@ -152,7 +152,7 @@ void require_on_surface(const Surface& surface, const BasePoint& point) {
 
 BasePoint in_its_tile(const Surface& surface, const BasePoint& point) {
   require_on_surface(surface, point);
-  if (surface.is_regular()) return point;
+  if (!surface.is_rational()) return point;
   // A walk along a line would need more care; this one leads nearer to the tile's inside with each step.
   const std::vector<SideId> sides = sides_on_the_way(surface, point);
   TileWalk walk(surface, point);
@@ -171,7 +171,7 @@ bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& 
   const BasePoint goal = in_its_tile(surface, q);
   // All places that p has in closed tiles: several if it is on a side or a corner.
   std::vector<BasePoint> places{in_its_tile(surface, p)};
-  for (std::size_t i = 0; i < places.size() && !surface.is_regular(); ++i) {
+  for (std::size_t i = 0; i < places.size() && surface.is_rational(); ++i) {
     const TileWalk here(surface, places[i]);
     for (const SideId s : here.sides_where(0)) {
       TileWalk walk = here;

@@ -91,6 +91,21 @@ Surface Surface::regular(std::uint32_t genus) {
   return map({4 * genus, 4 * genus}, std::move(gluing));
 }
 
+Surface Surface::over_field(std::shared_ptr<const FieldTiles> exact, std::vector<Tile> tiles,
+                            std::vector<Gluing> gluing, ById<SideId, Isometry<Mp4096>> crossings) {
+  Data data;
+  data.field_tiles = std::move(exact);
+  data.tiles = std::move(tiles);
+  data.gluing = std::move(gluing);
+  GluedPolygons polygons(data.tiles, data.gluing);
+  polygons.check_vertices();
+  polygons.check_convex();
+  data.genus = polygons.genus();
+  data.sides = std::move(polygons).sides();
+  data.field_crossing = std::move(crossings);
+  return Surface(std::move(data));
+}
+
 bool Surface::is_regular_polygon() const {
   const std::uint32_t sides = 4 * genus();
   if (!is_regular() || *regular_tile() != RegularTile{sides, sides}) return false;
@@ -102,9 +117,7 @@ bool Surface::is_regular_polygon() const {
 
 const Isometry<Rational>& Surface::crossing(SideId s) const {
   assert(s.number() < side_count());
-  if (is_regular()) {
-    throw std::logic_error("the crossings of regular tiles are not rational");
-  }
+  if (!is_rational()) throw std::logic_error("the crossings of these tiles are not rational");
   return data_->crossing[s];
 }
 
@@ -121,9 +134,8 @@ Word Surface::corner_cycle(SideId corner) const {
 template <class T>
 Isometry<T> Surface::crossing_as(SideId s) const {
   assert(s.number() < side_count());
-  if (!is_regular()) {
-    return normalized(convert<T>(crossing(s)));
-  }
+  if (is_rational()) return normalized(convert<T>(crossing(s)));
+  if (field_tiles()) return convert<T>(data_->field_crossing[s]);
   // From side k to side l of regular tiles: the translation by twice the apothem ρ against the direction of the
   // midpoint of k, cosh ρ = cos(π/q)/sin(π/p); then the turn that takes this direction to that of l.
   const std::uint32_t p = regular_tile()->p;

@@ -36,6 +36,9 @@ struct RegularTile {
   bool operator==(const RegularTile&) const = default;
 };
 
+/// Tiles over a number field, exactly; netgen/surfaces/field_tiles.h knows them.
+struct FieldTiles;
+
 /// Tiles and a gluing that are not a closed hyperbolic surface; what() names the element and the numbers.
 class SurfaceError : public Error {
  public:
@@ -106,6 +109,17 @@ class Surface {
   /// Whether it could have been made by `regular`.
   [[nodiscard]] bool is_regular_polygon() const;
 
+  /// A surface whose tiles have corners over a number field: from their corners rounded to 256 bits, and the crossings,
+  /// by side, rounded to the precision of Mp4096. Requires: tiles of a closed surface (field_tiles.h has a function
+  /// that examines it). Throws SurfaceError for tiles whose rounded corners are not convex, and for what `map` throws
+  /// it for.
+  [[nodiscard]] static Surface over_field(std::shared_ptr<const FieldTiles> exact, std::vector<Tile> tiles,
+                                          std::vector<Gluing> gluing, ById<SideId, Isometry<Mp4096>> crossings);
+  /// Returns the tiles exactly, if the surface was made by `over_field`, else nullptr.
+  [[nodiscard]] const std::shared_ptr<const FieldTiles>& field_tiles() const { return data_->field_tiles; }
+  /// Whether corners and crossings are rational: neither `is_regular` nor over a number field.
+  [[nodiscard]] bool is_rational() const { return !is_regular() && !field_tiles(); }
+
   /// Returns the genus, at least 2.
   [[nodiscard]] std::uint32_t genus() const { return data_->genus; }
   /// Returns a free text about the origin of the surface. It belongs to this copy alone, and is not part of the
@@ -165,10 +179,9 @@ class Surface {
   }
   /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner, the start
   /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Throws
-  /// std::logic_error for `is_regular` surfaces, whose crossings are not rational.
+  /// std::logic_error unless the surface `is_rational`.
   [[nodiscard]] const Isometry<Rational>& crossing(SideId s) const;
-  /// Returns `crossing` rounded to T (Mp256, Mp1024, Mp4096) and scaled to determinant 1. Works for `is_regular`
-  /// surfaces too.
+  /// Returns `crossing` rounded to T (Mp256, Mp1024, Mp4096) and scaled to determinant 1. Works for all surfaces.
   template <class T>
   [[nodiscard]] Isometry<T> crossing_as(SideId s) const;
 
@@ -198,6 +211,8 @@ class Surface {
     std::vector<Gluing> gluing;
     GluedSides sides;
     ById<SideId, Isometry<Rational>> crossing;
+    std::shared_ptr<const FieldTiles> field_tiles;
+    ById<SideId, Isometry<Mp4096>> field_crossing;
     std::uint32_t genus = 0;
   };
   explicit Surface(Data data) : data_(std::make_shared<const Data>(std::move(data))) {}

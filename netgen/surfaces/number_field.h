@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "certify/net/document.h"
+#include "certify/numbers/ball.h"
+#include "netgen/surfaces/rational_polynomial.h"
+
+/// Real numbers as texts, in the least number field that has them.
+namespace epsnet {
+
+/// A real number field ℚ(α) that grows with the numbers that are read: sums, differences, products, quotients and
+/// integer powers of integers, fractions, decimals (which are exact), sqrt(x), cos(a*pi/b), sin(a*pi/b), and
+/// root(f,r), the real root of a polynomial in x with rational coefficients that is nearest to the decimal r.
+class NumberFieldReader {
+ public:
+  /// The largest degree of a field; files have none of more.
+  static constexpr slong kMostDegree = 64;
+
+  NumberFieldReader();
+
+  /// Reads a number. Throws SurfaceError, which says what is wrong, also of a field of more than kMostDegree.
+  void add(std::string_view text);
+
+  /// The minimal polynomial of α, monic over ℤ, and an interval that isolates α.
+  [[nodiscard]] certify::SurfaceDocument::Field field() const;
+  /// The numbers in the order in which they were read, as polynomials in α.
+  [[nodiscard]] const std::vector<RationalPolynomial>& numbers() const { return numbers_; }
+
+ private:
+  friend class NumberFieldParser;
+
+  /// A number that is named by a word of the text, so that it is adjoined once.
+  struct Named {
+    std::string name;
+    RationalPolynomial value;
+  };
+
+  [[nodiscard]] slong degree() const { return fmpz_poly_degree(f_.get()); }
+  [[nodiscard]] RationalPolynomial product(const RationalPolynomial& x, const RationalPolynomial& y) const;
+  [[nodiscard]] RationalPolynomial quotient(const RationalPolynomial& x, const RationalPolynomial& y) const;
+  [[nodiscard]] certify::Ball value(const RationalPolynomial& x) const;
+  /// The root t, near which it is known, of t^m + p[m − 1] t^(m−1) + …, in the field that has it as well.
+  [[nodiscard]] RationalPolynomial adjoined(const std::vector<RationalPolynomial>& p, const certify::Ball& t);
+  /// The field becomes ℚ(θ), θ a root of h, and α a polynomial in θ; returns what a polynomial in θ is then.
+  void move_to(const certify::Polynomial& h, const certify::Ball& theta, const RationalPolynomial& alpha,
+               RationalPolynomial& also);
+
+  certify::Polynomial f_;
+  certify::Ball alpha_;
+  std::vector<Named> named_;
+  std::vector<RationalPolynomial> numbers_;
+};
+
+}  // namespace epsnet
