@@ -144,7 +144,7 @@ std::size_t RegularCrossings::product_bits(std::size_t frame_bits, std::span<con
 FieldCrossings::FieldCrossings(std::unique_ptr<const NumberField> field, std::vector<Isometry<FieldNumber>> crossings)
     : field_(std::move(field)), crossings_(std::move(crossings)) {
   determinants_.reserve(crossings_.size());
-  for (const Isometry<FieldNumber>& f : crossings_) determinants_.push_back(norm(f.a) - norm(f.b));
+  for (const Isometry<FieldNumber>& f : crossings_) determinants_.push_back(determinant(f));
 }
 
 Isometry<FieldNumber> FieldCrossings::exact(std::span<const std::uint32_t> word) const {
@@ -158,7 +158,7 @@ Isometry<FieldNumber> FieldCrossings::embed(const ExactIsometry& f) const {
 
 std::size_t FieldCrossings::product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const {
   std::size_t sum = field_->degree() * frame_bits;
-  for (const std::uint32_t side : word) sum += bits(crossings_[side].a) + bits(crossings_[side].b);
+  for (const std::uint32_t side : word) sum += bits(crossings_[side]);
   return sum;
 }
 

@@ -211,13 +211,12 @@ class FieldTiles {
   /// Whether the crossing of a side is an isometry that takes it to the other one.
   [[nodiscard]] bool cross(std::size_t s, std::size_t other) const {
     const Isometry<FieldNumber>& f = crossings_[s];
-    return sign(norm(f.a) - norm(f.b)) > 0 && are_parallel(moved(f, start(s)), end(other)) &&
+    return sign(determinant(f)) > 0 && are_parallel(moved(f, start(s)), end(other)) &&
            are_parallel(moved(f, end(s)), start(other));
   }
   static constexpr const char* kNoCrossing = "to which the crossing does not take it";
   [[nodiscard]] bool closes_up(const std::vector<std::uint32_t>& path) const {
-    const auto f = compose_range(0, path.size(), [&](std::size_t i) { return crossings_[path[i]]; });
-    return sign(twice_imaginary(f.a)) == 0 && sign(twice_real(f.b)) == 0 && sign(twice_imaginary(f.b)) == 0;
+    return is_identity(compose_range(0, path.size(), [&](std::size_t i) { return crossings_[path[i]]; }));
   }
   /// The argument of N⟨n, p⟩ + ⟨v, n⟩⟨v, p⟩ + i√N det(v, n, p), N = −⟨v, v⟩.
   [[nodiscard]] Ball angle(std::size_t s) const {

@@ -84,9 +84,15 @@ struct FieldNumber {
 /// A real number, to about as many bits as balls have, relative to its size unless that is below 2^−bits(x).
 [[nodiscard]] Ball real_ball(const FieldNumber& x);
 
-/// The same isometry with the common integer divisor of its numbers taken out.
+// As of isometries in Gaussian integers (exact.h).
+
+[[nodiscard]] inline std::size_t bits(const Isometry<FieldNumber>& f) { return bits(f.a) + bits(f.b); }
+[[nodiscard]] inline FieldNumber determinant(const Isometry<FieldNumber>& f) { return norm(f.a) - norm(f.b); }
+[[nodiscard]] inline bool is_identity(const Isometry<FieldNumber>& f) {
+  return sign(twice_imaginary(f.a)) == 0 && sign(twice_real(f.b)) == 0 && sign(twice_imaginary(f.b)) == 0;
+}
 void reduce(Isometry<FieldNumber>& f);
-/// The isometry, scaled to determinant 1, to about `precision` bits. `determinant` is |a|² − |b|², a real number > 0.
+/// The isometry, scaled to determinant 1, to about `precision` bits. `determinant` is that of f.
 [[nodiscard]] BallIsometry to_balls(const Isometry<FieldNumber>& f, const FieldNumber& determinant, slong precision);
 
 }  // namespace epsnet::certify

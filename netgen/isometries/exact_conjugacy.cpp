@@ -72,8 +72,7 @@ class FieldElements {
   [[nodiscard]] static std::optional<Normal> normal_of(const Surface& surface, const Word& word) {
     std::size_t bits = 0;
     for (const SideId s : word) {
-      const auto& crossing = surface.field_tiles()->crossing[s];
-      bits += certify::bits(crossing.a) + certify::bits(crossing.b);
+      bits += certify::bits(surface.field_tiles()->crossing[s]);
     }
     if (bits > kMostBits) return std::nullopt;
     return scaled_normal(field_isometry(surface, word));

@@ -17,7 +17,7 @@ using Field = certify::SurfaceDocument::Field;
 using Polygon = Field::Polygon;
 using Wide = Mp4096;
 
-constexpr slong kBits = kMantissaBits<Wide>;
+constexpr slong kWideBits = kMantissaBits<Wide>;
 
 /// Of numbers that are exactly equal, the square of the difference is less.
 Wide tolerance() { return ldexp(Wide(1), -1000); }
@@ -39,7 +39,7 @@ class Rounder {
   explicit Rounder(const certify::NumberField& field) : field_(field) {}
 
   [[nodiscard]] Wide operator()(const FieldNumber& x) const {
-    const certify::Precision scope(kBits + 64);
+    const certify::Precision scope(kWideBits + 64);
     return middle_of(certify::real_ball(x));
   }
   [[nodiscard]] Wide operator()(const std::vector<mpz_class>& x) const {
@@ -149,18 +149,26 @@ Surface surface_over_field(Field tiles, std::vector<Gluing> gluing) {
   ById<SideId, Isometry<Wide>> crossings;
   for (const SideId s : exact->crossing.ids()) {
     const certify::Isometry<FieldNumber>& f = exact->crossing[s];
-    if (certify::sign(certify::norm(f.a) - certify::norm(f.b)) <= 0) throw SurfaceError("a crossing is no isometry");
-    const certify::BallIsometry value = certify::to_balls(f, certify::norm(f.a) - certify::norm(f.b), kBits + 64);
-    const auto middle = [](const certify::ComplexBall& z) {
-      return Complex<Wide>{middle_of(certify::real(z)), middle_of(certify::imaginary(z))};
-    };
-    crossings.push_back({middle(value.a), middle(value.b)});
+    if (certify::sign(certify::determinant(f)) <= 0) throw SurfaceError("a crossing is no isometry");
+    crossings.push_back(rounded_isometry<Wide>(f));
   }
   Surface surface = Surface::over_field(exact, std::move(rounded_tiles), std::move(gluing), std::move(crossings));
   check_sides(surface, corner);
   check_vertices(surface, corner);
   return surface;
 }
+
+template <class T>
+Isometry<T> rounded_isometry(const certify::Isometry<FieldNumber>& f) {
+  const certify::BallIsometry value = certify::to_balls(f, certify::determinant(f), kMantissaBits<T> + 64);
+  const auto middle = [](const certify::ComplexBall& z) {
+    return Complex<T>{T(middle_of(certify::real(z))), T(middle_of(certify::imaginary(z)))};
+  };
+  return {middle(value.a), middle(value.b)};
+}
+
+template Isometry<Mp1024> rounded_isometry<Mp1024>(const certify::Isometry<FieldNumber>&);
+template Isometry<Mp4096> rounded_isometry<Mp4096>(const certify::Isometry<FieldNumber>&);
 
 certify::Isometry<FieldNumber> field_isometry(const Surface& surface, const Word& word) {
   const FieldTiles& tiles = *surface.field_tiles();

@@ -26,6 +26,10 @@ struct FieldTiles {
 /// SurfaceError, which says what is wrong. Quasi-linear in the number of digits.
 [[nodiscard]] Surface surface_over_field(certify::SurfaceDocument::Field tiles, std::vector<Gluing> gluing);
 
+/// The isometry scaled to determinant 1, rounded to T (Mp1024, Mp4096). Requires: a positive determinant.
+template <class T>
+[[nodiscard]] Isometry<T> rounded_isometry(const certify::Isometry<certify::FieldNumber>& f);
+
 /// The isometry of a word, as integer_isometry has it. Requires: a surface over a field,
 /// which must outlive the numbers.
 [[nodiscard]] certify::Isometry<certify::FieldNumber> field_isometry(const Surface& surface, const Word& word);

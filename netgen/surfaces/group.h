@@ -120,10 +120,10 @@ struct MatrixGenerators {
   std::vector<std::int32_t> relation;
   /// The significant digits of the number that has the fewest of them, if there are decimals: the numbers are rounded.
   std::optional<unsigned> digits;
-  /// If it is there, `generators` is empty, and the numbers are exact ones of the ring of these tiles
-  /// (docs/matrices.md).
+  /// If it is there, the numbers are exact ones of the ring of these tiles (docs/matrices.md).
   std::optional<RegularTile> tile;
-  std::vector<std::array<std::string, 4>> numbers;  ///< By generator, as texts.
+  /// By generator, as texts, if there is a tile or some are in a number field; `generators` is then empty.
+  std::vector<std::array<std::string, 4>> numbers;
 };
 
 /// Reads matrices: JSON, or plain text with a matrix in each line (docs/exchange-formats.md). Throws MatricesError.

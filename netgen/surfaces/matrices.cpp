@@ -2,16 +2,20 @@
 #include <array>
 #include <cmath>
 #include <list>
+#include <span>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 #include "certify/base/text.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/dirichlet_search.h"
 #include "netgen/surfaces/field_matrices.h"
+#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/matrix_products.h"
 #include "netgen/surfaces/nearest_relation.h"
+#include "netgen/surfaces/number_field.h"
 
 /// The surface that matrices generate: the Dirichlet domain of a point is found with rounded numbers, and then examined
 /// exactly.
@@ -30,9 +34,18 @@ std::vector<Complex<Rational>> base_points() {
   return {point(1, 37, 1, 53), point(-3, 71, 2, 43), point(5, 61, -4, 47), point(-7, 83, -6, 59), point(11, 97, 3, 31)};
 }
 
-Numeric rounded(const ExactIsometry& f) {
-  const auto number = [](const mpz_class& x) { return Mp256(from_gmp(mpq_class(x))); };
-  return normalized(Numeric{{number(f.a.re), number(f.a.im)}, {number(f.b.re), number(f.b.im)}});
+Isometry<Mp1024> finely_rounded(const ExactIsometry& f) {
+  const auto number = [](const mpz_class& x) { return Mp1024(from_gmp(mpq_class(x))); };
+  return normalized(Isometry<Mp1024>{{number(f.a.re), number(f.a.im)}, {number(f.b.re), number(f.b.im)}});
+}
+
+Isometry<Mp1024> finely_rounded(const certify::Isometry<certify::FieldNumber>& f) {
+  return rounded_isometry<Mp1024>(f);
+}
+
+template <class Number>
+Numeric rounded(const certify::Isometry<Number>& f) {
+  return convert<Mp256>(finely_rounded(f));
 }
 
 std::string decimal(const Mp256& x) { return certify::shortest(static_cast<double>(x)); }
@@ -51,32 +64,30 @@ std::string word_name(const std::vector<std::int32_t>& letters, std::size_t gene
   return result;
 }
 
-mpq_class quotient(const mpz_class& n, const mpz_class& d) {
-  mpq_class result(n, d);
-  result.canonicalize();
-  return result;
-}
-
-/// The square of the trace of an isometry of determinant 1.
-mpq_class squared_trace(const ExactIsometry& f) { return quotient(4 * f.a.re * f.a.re, certify::determinant(f)); }
-
-/// The order of an elliptic element of PGL(2, Q); nothing if it is infinite. Its rotation by 2πk/n has 2 + 2cos(2πk/n)
-/// as its squared trace, which is rational for n = 2, 3, 4 and 6 alone.
-std::optional<int> order_of_elliptic(const ExactIsometry& f) {
-  const mpq_class square = squared_trace(f);
-  if (square.get_den() != 1) return std::nullopt;
-  constexpr std::array<int, 4> kOrders{2, 3, 4, 6};
-  const mpz_class& value = square.get_num();
-  if (sgn(value) < 0 || cmp(value, 3) > 0) return std::nullopt;
-  return kOrders.at(value.get_ui());
+/// The order of an elliptic element, if it is not too large: infinite ones have none.
+template <class Number>
+std::optional<int> order_of_elliptic(const certify::Isometry<Number>& f) {
+  constexpr int kGreatest = 400;
+  const Numeric value = rounded(f);
+  Numeric power = value;
+  certify::Isometry<Number> exact_power = f;
+  for (int n = 2; n <= kGreatest; ++n) {
+    power = normalized(value * power);
+    if (sqrt(norm(power.b)) > 1e-40 || abs(power.a.y) > 1e-40) continue;
+    // Near the identity: now exactly.
+    for (int i = 1; i < n; ++i) exact_power = certify::compose(f, exact_power);
+    return certify::is_identity(exact_power) ? std::optional(n) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 /// What is known about a group: its elements are looked at as they are found.
+template <class Number>
 class Examiner {
  public:
   /// Rounded, if the numbers are not exact: what differs from 0 by less than the tolerance is then not decided.
-  Examiner(MatrixProducts& products, bool exact, double tolerance)
-      : products_(products), exact_(exact), tolerance_(tolerance) {}
+  Examiner(const MatrixProducts& products, ExactProducts<Number>& exactly, bool exact, double tolerance)
+      : products_(products), exactly_(exactly), exact_(exact), tolerance_(tolerance) {}
 
   /// Throws MatricesError if an element shows that the group is none of a closed surface.
   void operator()(ElementId x) const {
@@ -103,11 +114,14 @@ class Examiner {
   [[nodiscard]] std::string by_digits() const { return exact_ ? "" : ", as far as the decimals tell"; }
 
  private:
+  using Element = certify::Isometry<Number>;
   static constexpr double kJorgensen = 1.118;  // |tr² − 4| < 1.
 
   void elliptic(ElementId x) const {
-    const ExactIsometry f = products_.exact(x);
-    const int sign = sgn(mpz_class(certify::norm(f.b) - f.a.im * f.a.im));
+    const Element f = exactly_(x);
+    // Of tr² − 4 times the determinant, divided by 4: |b|² − (Im a)².
+    const auto twice_im = twice_imaginary(f.a);
+    const int sign = certify::sign(mpz_class(4) * norm(f.b) - twice_im * twice_im);
     if (sign > 0 || certify::is_identity(f)) return;
     if (sign == 0) {
       throw MatricesError(Kind::not_compact, "not cocompact: " + name(x) + " is parabolic (its trace is ±2)");
@@ -118,7 +132,7 @@ class Examiner {
     }
     throw MatricesError(Kind::not_discrete, "not discrete: " + name(x) +
                                                 " is elliptic, of infinite order (its trace is ±" +
-                                                decimal(sqrt(Mp256(from_gmp(squared_trace(f))))) + ")");
+                                                decimal(Mp256(2 * abs(rounded(f).a.x))) + ")");
   }
 
   void maybe_elliptic(ElementId x) const {
@@ -141,20 +155,30 @@ class Examiner {
       const Mp256 commutator = 2 * (f * g * inverse(f) * inverse(g)).a.x;
       const Mp256 sum = abs(Mp256(4 * f.a.x * f.a.x - 4)) + abs(Mp256(commutator - 2));
       if (abs(g.a.x) <= 1 || sum >= 1 - tolerance_ || abs(Mp256(commutator - 2)) <= tolerance_) continue;
-      if (exact_ && !violates_exactly(products_.exact(x), products_.exact(y))) continue;
+      if (exact_ && !violates_exactly(exactly_(x), exactly_(y))) continue;
       throw MatricesError(Kind::not_discrete, "not discrete: " + name(x) + " and generator " + std::to_string(y) +
                                                   " violate Jorgensen's inequality" + by_digits());
     }
   }
 
-  static bool violates_exactly(const ExactIsometry& f, const ExactIsometry& g) {
-    const ExactIsometry commutator =
+  /// In numbers that are multiplied by the determinants d and e of f and g: tr² f > 4, tr² g > 4, tr [f, g] ≠ 2, and
+  /// tr² f − 4 + |tr [f, g] − 2| < 1. The determinant of the commutator is d²e².
+  static bool violates_exactly(const Element& f, const Element& g) {
+    using certify::sign;
+    const Element commutator =
         certify::compose(certify::compose(f, g), certify::compose(certify::inverse(f), certify::inverse(g)));
-    const mpq_class beyond = quotient(2 * commutator.a.re, certify::determinant(f) * certify::determinant(g)) - 2;
-    return squared_trace(f) > 4 && squared_trace(g) > 4 && beyond != 0 && squared_trace(f) - 4 + abs(beyond) < 1;
+    const auto beyond_4 = [](const Element& h) {
+      return twice_real(h.a) * twice_real(h.a) - mpz_class(4) * certify::determinant(h);
+    };
+    const auto both = certify::determinant(f) * certify::determinant(g);
+    const auto beyond_2 = twice_real(commutator.a) - mpz_class(2) * both;
+    const int side = sign(beyond_2);
+    return sign(beyond_4(f)) > 0 && sign(beyond_4(g)) > 0 && side != 0 &&
+           sign(beyond_4(f) * certify::determinant(g) + mpz_class(side) * beyond_2 - both) < 0;
   }
 
-  MatrixProducts& products_;
+  const MatrixProducts& products_;
+  ExactProducts<Number>& exactly_;
   bool exact_;
   double tolerance_;
 };
@@ -235,20 +259,79 @@ struct Tiling {
   }
 };
 
-Surface surface_of_darts(const Darts& darts, const Tiling& tiling, const std::vector<ExactIsometry>& elements,
-                         const Complex<Rational>& base) {
-  std::vector<Tile> tiles;
-  for (const std::uint32_t i : tiling.first) {
-    tiles.push_back({base, image(elements[i], base), image(elements[darts.after(i)], base)});
-  }
+std::vector<Gluing> gluing_of(const Darts& darts, const Tiling& tiling) {
   std::vector<Gluing> gluing;
   for (std::uint32_t i = 0; i < darts.count(); ++i) {
     const std::uint32_t s = tiling.side[i];
     const std::uint32_t t = tiling.side[darts.partner[i]];
     if (i < darts.partner[i]) gluing.push_back({s / 3, s % 3, t / 3, t % 3});
   }
-  return {std::move(tiles), std::move(gluing)};
+  return gluing;
 }
+
+/// Groups of rational matrices, and their surfaces.
+struct RationalGroups {
+  using Number = certify::Gaussian;
+
+  [[nodiscard]] static Surface surface(const Darts& darts, const Tiling& tiling,
+                                       const std::vector<ExactIsometry>& elements, const Complex<Rational>& base) {
+    std::vector<Tile> tiles;
+    for (const std::uint32_t i : tiling.first) {
+      tiles.push_back({base, image(elements[i], base), image(elements[darts.after(i)], base)});
+    }
+    return {std::move(tiles), gluing_of(darts, tiling)};
+  }
+  [[nodiscard]] static ExactIsometry isometry(const Surface& surface, const Word& word) {
+    return integral(exact_isometry(surface, word));
+  }
+};
+
+/// Groups of matrices over a number field. All tiles have the coordinates of the matrices.
+struct FieldGroups {
+  using Number = certify::FieldNumber;
+  using Element = certify::Isometry<Number>;
+
+  certify::SurfaceDocument::Field document;  ///< The field alone.
+  const certify::NumberField& field;
+
+  [[nodiscard]] Surface surface(const Darts& darts, const Tiling& tiling, const std::vector<Element>& elements,
+                                const Complex<Rational>& base) const {
+    certify::SurfaceDocument::Field tiles = document;
+    const certify::ExactPoint p = certify::exact_point(to_gmp(base));
+    const Element one{certify::field_number(field, certify::Gaussian{1, 0}),
+                      certify::field_number(field, certify::Gaussian{0, 0})};
+    // The side of dart h leads from the image of p under shift[h], to that of its end.
+    std::vector<const Element*> shift(darts.count());
+    for (const std::uint32_t i : tiling.first) {
+      const std::array<const Element*, 3> corners{&one, &elements[i], &elements[darts.after(i)]};
+      auto& tile = tiles.polygons.emplace_back();
+      std::uint32_t dart = i;
+      for (const Element* corner : corners) {
+        const auto v = certify::hyperboloid_vector(certify::moved(*corner, p));
+        tile.push_back({coefficients_of(v.x), coefficients_of(v.y), coefficients_of(v.t)});
+        shift[dart] = corner;
+        dart = darts.next(dart);
+      }
+    }
+    for (std::uint32_t i = 0; i < darts.count(); ++i) {
+      if (i > darts.partner[i]) continue;
+      // Dart i ends where its partner, moved by the element of i, starts.
+      Element crossing = certify::compose(*shift[darts.partner[i]],
+                                          certify::compose(certify::inverse(elements[i]), certify::inverse(*shift[i])));
+      certify::reduce(crossing);
+      const auto part = [&](const certify::Polynomial& x) { return coefficients_of({&field, x}); };
+      tiles.crossings.push_back({part(crossing.a.re), part(crossing.a.im), part(crossing.b.re), part(crossing.b.im)});
+    }
+    return surface_over_field(std::move(tiles), gluing_of(darts, tiling));
+  }
+  /// In the field of the group, not that of the surface.
+  [[nodiscard]] Element isometry(const Surface& surface, const Word& word) const {
+    Element f = field_isometry(surface, word);
+    f.a.field = &field;
+    f.b.field = &field;
+    return f;
+  }
+};
 
 /// A path from tile 0 to its image under the element of dart i: around p to the triangle on the left of the dart, along
 /// it, and around fᵢp.
@@ -268,26 +351,35 @@ Word word_of(const Surface& surface, const Darts& darts, const Tiling& tiling,
 }
 
 /// One way to the surface: with the numbers of the text taken for exact, or as rounded ones.
+template <class Groups>
 class Maker {
  public:
-  Maker(const MatrixGenerators& matrices, bool exact) : matrices_(matrices), exact_(exact) {
+  using Number = typename Groups::Number;
+  using Element = certify::Isometry<Number>;
+
+  Maker(const MatrixGenerators& matrices, std::vector<Element> generators, const Groups& groups, bool exact)
+      : matrices_(matrices), generators_(std::move(generators)), groups_(groups), exact_(exact) {
     if (!exact) {
       constexpr unsigned kFewest = 4;
       tolerance_ = std::pow(10.0, -0.5 * std::max(matrices.digits.value_or(kFewest), kFewest));
       tolerance_ = std::max(tolerance_, kTiny);
     }
-    for (const Isometry<Rational>& f : matrices.generators) generators_.push_back(integral(f));
+    for (const Element& f : generators_) rounded_.push_back(finely_rounded(f));
   }
 
   MatrixSurface make() {
     check_relation();
     for (const Complex<Rational>& base : base_points()) {
-      MatrixProducts products(generators_, base);
-      const Examiner examine(products, exact_, tolerance_);
+      MatrixProducts products(rounded_, base);
+      ExactProducts<Number> exactly(products, generators_);
+      const Examiner<Number> examine(products, exactly, exact_, tolerance_);
       DirichletSearch search(products, tolerance_, examine);
       switch (search.run()) {
         case DirichletSearch::End::compact:
-          return exact_ ? exact_surface(products, search, base) : nearest_surface(products, search, base);
+          if constexpr (std::is_same_v<Groups, RationalGroups>) {
+            if (!exact_) return nearest_surface(products, search, base);
+          }
+          return exact_surface(exactly, search, base);
         case DirichletSearch::End::cusp:
           if (search.element() != 0) {
             examine.fixes(search.element(), Kind::not_compact,
@@ -322,7 +414,7 @@ class Maker {
     if (exact_) {
       const auto letter = [&](std::size_t i) {
         const std::int32_t k = matrices_.relation[matrices_.relation.size() - 1 - i];
-        const ExactIsometry& f = generators_[static_cast<std::size_t>(std::abs(k)) - 1];
+        const Element& f = generators_[static_cast<std::size_t>(std::abs(k)) - 1];
         return k > 0 ? f : certify::inverse(f);
       };
       std::size_t bits = 0;
@@ -331,7 +423,7 @@ class Maker {
       if (bits > kMostBits) {
         throw LimitError("the matrices of the relation have more than " + std::to_string(kMostBits) + " bits together");
       }
-      const ExactIsometry product = certify::compose_range(0, matrices_.relation.size(), letter);
+      const Element product = certify::compose_range(0, matrices_.relation.size(), letter);
       if (!certify::is_identity(product)) fail_relation(rounded(product));
       return;
     }
@@ -365,10 +457,11 @@ class Maker {
   }
 
   /// Throws MatricesError unless everything holds exactly.
-  MatrixSurface exact_surface(MatrixProducts& products, const DirichletSearch& search, const Complex<Rational>& base) {
+  MatrixSurface exact_surface(ExactProducts<Number>& exactly, const DirichletSearch& search,
+                              const Complex<Rational>& base) {
     const Darts darts{search.partner()};
-    std::vector<ExactIsometry> elements;
-    for (const ElementId id : search.sides()) elements.push_back(products.exact(id));
+    std::vector<Element> elements;
+    for (const ElementId id : search.sides()) elements.push_back(exactly(id));
     for (std::uint32_t i = 0; i < darts.count(); ++i) {
       if (same_isometry(certify::compose(elements[i], elements[darts.next(i)]), elements[darts.after(i)])) continue;
       throw MatricesError(Kind::relation,
@@ -378,8 +471,7 @@ class Maker {
     MatrixSurface result{checked(darts, tiling, elements, base), {}};
     for (const auto& some : factors(search)) result.words.push_back(word_of(result.surface, darts, tiling, some));
     for (std::size_t k = 0; k < generators_.size(); ++k) {
-      const ExactIsometry found = integral(exact_isometry(result.surface, result.words[k]));
-      if (same_isometry(found, generators_[k])) continue;
+      if (same_isometry(groups_.isometry(result.surface, result.words[k]), generators_[k])) continue;
       throw MatricesError(Kind::undecided,
                           "could not decide: generator " + std::to_string(k + 1) +
                               " agrees with an element of the surface's group to 100 bits, but not exactly");
@@ -388,10 +480,10 @@ class Maker {
     return result;
   }
 
-  static Surface checked(const Darts& darts, const Tiling& tiling, const std::vector<ExactIsometry>& elements,
-                         const Complex<Rational>& base) {
+  Surface checked(const Darts& darts, const Tiling& tiling, const std::vector<Element>& elements,
+                  const Complex<Rational>& base) const {
     try {
-      return surface_of_darts(darts, tiling, elements, base);
+      return groups_.surface(darts, tiling, elements, base);
     } catch (const SurfaceError& error) {
       throw MatricesError(Kind::undecided, "could not decide: the triangles found are not a closed surface: " +
                                                std::string(error.what()));
@@ -496,21 +588,71 @@ class Maker {
   }
 
   const MatrixGenerators& matrices_;
+  std::vector<Element> generators_;
+  std::vector<Isometry<Mp1024>> rounded_;
+  const Groups& groups_;
   bool exact_;
   double tolerance_ = kTiny;
-  std::vector<ExactIsometry> generators_;
 };
+
+/// Four numbers of a field without fractions, times a common positive integer.
+std::vector<certify::FieldNumber> integral_numbers(std::span<const RationalPolynomial> numbers,
+                                                   const certify::NumberField& field) {
+  mpz_class denominator = 1;
+  for (const RationalPolynomial& x : numbers) denominator = lcm(denominator, denominator_of(x));
+  std::vector<certify::FieldNumber> result;
+  for (const RationalPolynomial& x : numbers) {
+    certify::FieldNumber number{&field, {}};
+    fmpq_poly_get_numerator(number.re.get(), x.get());
+    result.push_back(mpz_class(denominator / denominator_of(x)) * number);
+  }
+  return result;
+}
+
+/// The surface of matrices whose entries are numbers of a field, which are read from texts.
+MatrixSurface surface_over_field_of(const MatrixGenerators& matrices) {
+  NumberFieldReader reader;
+  for (const auto& entries : matrices.numbers) {
+    for (const std::string& entry : entries) {
+      try {
+        reader.add(entry);
+      } catch (const SurfaceError& error) {
+        throw MatricesError(Kind::text,
+                            "generator " + std::to_string(reader.numbers().size() / 4 + 1) + ": " + error.what());
+      }
+    }
+  }
+  const certify::SurfaceDocument::Field document = reader.field();
+  const certify::NumberField field(document.polynomial, document.root);
+  std::vector<certify::Isometry<certify::FieldNumber>> generators;
+  for (std::size_t k = 0; k < matrices.numbers.size(); ++k) {
+    const auto e = integral_numbers(std::span(reader.numbers()).subspan(4 * k, 4), field);
+    const certify::Gaussian i{0, 1};
+    generators.push_back(matrices.model == MatrixModel::su11
+                             ? certify::Isometry<certify::FieldNumber>{e[0] + i * e[1], e[2] + i * e[3]}
+                             : certify::Isometry<certify::FieldNumber>{e[0] + e[3] + i * (e[1] - e[2]),
+                                                                       e[0] - e[3] - i * (e[1] + e[2])});
+    if (certify::sign(certify::determinant(generators.back())) > 0) continue;
+    throw MatricesError(Kind::text, "generator " + std::to_string(k + 1) +
+                                        ": the determinant is not positive, so it is no isometry of the plane that "
+                                        "preserves the orientation");
+  }
+  return Maker<FieldGroups>(matrices, std::move(generators), FieldGroups{document, field}, true).make();
+}
 
 }  // namespace
 
 MatrixSurface surface_of_matrices(const MatrixGenerators& matrices) {
   if (matrices.tile) return surface_of_field_matrices(matrices);
+  if (!matrices.numbers.empty()) return surface_over_field_of(matrices);
+  std::vector<ExactIsometry> generators;
+  for (const Isometry<Rational>& f : matrices.generators) generators.push_back(integral(f));
   try {
-    return Maker(matrices, true).make();
+    return Maker<RationalGroups>(matrices, generators, RationalGroups(), true).make();
   } catch (const MatricesError& error) {
     if (!matrices.digits) throw;
   }
-  return Maker(matrices, false).make();
+  return Maker<RationalGroups>(matrices, generators, RationalGroups(), false).make();
 }
 
 }  // namespace epsnet

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "certify/numbers/exact.h"
+#include "certify/numbers/field_number.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet {
 
@@ -18,9 +25,12 @@ namespace epsnet {
 [[nodiscard]] Complex<Rational> image(const certify::ExactIsometry& f, const Complex<Rational>& z);
 
 /// Whether two pairs are real multiples of each other: the same isometry.
-[[nodiscard]] bool same_isometry(const certify::ExactIsometry& f, const certify::ExactIsometry& g);
+template <class Number>
+[[nodiscard]] bool same_isometry(const certify::Isometry<Number>& f, const certify::Isometry<Number>& g) {
+  return certify::is_identity(certify::compose(f, certify::inverse(g)));
+}
 
-/// Products of some generators: kept as products, evaluated approximately at once and exactly where that is asked for.
+/// Products of some generators: kept as products, and evaluated approximately at once.
 class MatrixProducts {
  public:
   using Number = Mp1024;
@@ -31,7 +41,7 @@ class MatrixProducts {
 
   /// Values are seen from `base`: in coordinates that the translation from it to 0 has moved. Requires: positive
   /// determinants; a base in the disk.
-  MatrixProducts(std::vector<certify::ExactIsometry> generators, const Complex<Rational>& base);
+  MatrixProducts(const std::vector<Isometry<Number>>& generators, const Complex<Rational>& base);
 
   [[nodiscard]] std::size_t generators() const { return generators_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -39,8 +49,11 @@ class MatrixProducts {
   [[nodiscard]] Id product(Id x, Id y);
   /// Of determinant 1, rounded.
   [[nodiscard]] Isometry<Number> value(Id x) const;
-  /// In the coordinates of the generators. Throws LimitError beyond 2^24 bits.
-  [[nodiscard]] certify::ExactIsometry exact(Id x);
+  /// The two elements of which x > 0 is the product; nothing for a generator.
+  [[nodiscard]] std::optional<std::array<Id, 2>> factors(Id x) const {
+    const Node& node = nodes_[index(x)];
+    return node.left == 0 ? std::nullopt : std::optional(std::array{node.left, node.right});
+  }
   /// The element as a product of generators; nothing if it has more than `most` letters.
   [[nodiscard]] std::optional<Letters> letters(Id x, std::size_t most) const;
 
@@ -50,13 +63,56 @@ class MatrixProducts {
     Id right;
     Isometry<Number> value;
     double length;
-    std::optional<certify::ExactIsometry> exact;
   };
   [[nodiscard]] static std::size_t index(Id x) { return static_cast<std::size_t>(x < 0 ? -x : x) - 1; }
-  [[nodiscard]] certify::ExactIsometry known(Id x) const;
 
   std::size_t generators_;
   std::vector<Node> nodes_;
+};
+
+/// The products exactly, in the coordinates of the generators, where that is asked for. `Number` is that of
+/// certify/numbers: Gaussian or FieldNumber.
+template <class Number>
+class ExactProducts {
+ public:
+  using Id = MatrixProducts::Id;
+  using Element = certify::Isometry<Number>;
+
+  /// The products must outlive this.
+  ExactProducts(const MatrixProducts& products, const std::vector<Element>& generators) : products_(products) {
+    for (const Element& f : generators) known_.emplace(static_cast<Id>(known_.size() + 1), f);
+  }
+
+  /// Throws LimitError beyond 2^24 bits.
+  [[nodiscard]] Element operator()(Id x) {
+    // Factors come before their products.
+    std::set<Id> needed;
+    for (std::vector<Id> asked{std::abs(x)}; !asked.empty();) {
+      const Id next = asked.back();
+      asked.pop_back();
+      if (known_.contains(next) || !needed.insert(next).second) continue;
+      const std::array<Id, 2> factors = products_.factors(next).value();
+      asked.insert(asked.end(), {std::abs(factors[0]), std::abs(factors[1])});
+    }
+    for (const Id product : needed) {
+      const std::array<Id, 2> factors = products_.factors(product).value();
+      Element f = certify::compose(known(factors[0]), known(factors[1]));
+      certify::reduce(f);
+      if (certify::bits(f) > kMostBits) {
+        throw LimitError("a product of matrices has more than " + std::to_string(kMostBits) + " bits");
+      }
+      known_.emplace(product, std::move(f));
+    }
+    return known(x);
+  }
+
+ private:
+  static constexpr std::size_t kMostBits = std::size_t{1} << 24;
+
+  [[nodiscard]] Element known(Id x) const { return x > 0 ? known_.at(x) : certify::inverse(known_.at(-x)); }
+
+  const MatrixProducts& products_;
+  std::map<Id, Element> known_;
 };
 
 }  // namespace epsnet

@@ -47,7 +47,7 @@ class MatrixReader {
       read_lines(text);
     }
     if (entries_.empty()) fail("no generators found, expected at least one");
-    if (result_.tile) {
+    if (result_.tile || !all_rational()) {
       result_.numbers = entries_;
     } else {
       for (std::size_t k = 0; k < entries_.size(); ++k) result_.generators.push_back(isometry(k));
@@ -75,12 +75,19 @@ class MatrixReader {
     }
   }
 
+  /// Whether no entry needs a field: roots and cosines have letters, products and parentheses.
+  [[nodiscard]] bool all_rational() const {
+    return std::all_of(entries_.begin(), entries_.end(), [](const auto& matrix) {
+      return std::all_of(matrix.begin(), matrix.end(),
+                         [](const std::string& entry) { return entry.find_first_of("(*^") == std::string::npos; });
+    });
+  }
+
   Rational number(std::string_view text, const std::string& place) {
     const auto value = text.size() <= kMostBitsOfEntry ? parse_decimal(text) : std::nullopt;
     if (!value) {
       fail(place + ": " + certify::in_quotes(text) +
-           " found, expected an integer, a fraction or a decimal; roots and " +
-           "cosines are for tiles, as in \"tiles 8 8\"");
+           " found, expected an integer, a fraction, a decimal, or a number with sqrt(x), cos(a*pi/b) or root(f,r)");
     }
     if (*value != 0 && msb(Integer(abs(numerator(*value)))) + msb(Integer(denominator(*value))) > kMostBitsOfEntry) {
       fail(place + ": more than " + std::to_string(kMostBitsOfEntry) + " bits");
@@ -148,11 +155,7 @@ class MatrixReader {
     std::string line;
     for (std::size_t number_of_line = 1; std::getline(lines, line); ++number_of_line) {
       line.erase(std::min(line.find('#'), line.size()));
-      std::replace_if(
-          line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\t' || c == '\r'; }, ' ');
-      std::vector<std::string> words;
-      std::istringstream stream(line);
-      for (std::string word; stream >> word;) words.push_back(word);
+      const std::vector<std::string> words = words_of(line);
       if (words.empty()) continue;
       const std::string place = "line " + std::to_string(number_of_line);
       if (words[0] == "model" && words.size() == 2) {
@@ -170,6 +173,26 @@ class MatrixReader {
              "\"model sl2r\", \"model su11\", \"tiles p q\" or \"relation\" and its letters");
       }
     }
+  }
+
+  /// Separated by spaces, commas and semicolons outside of parentheses.
+  static std::vector<std::string> words_of(const std::string& line) {
+    std::vector<std::string> words;
+    int depth = 0;
+    bool in_word = false;
+    for (const char c : line) {
+      const bool is_space = std::isspace(static_cast<unsigned char>(c)) != 0;
+      if (depth <= 0 && (is_space || c == ',' || c == ';')) {
+        in_word = false;
+        continue;
+      }
+      if (!in_word) words.emplace_back();
+      in_word = true;
+      if (c == '(') ++depth;
+      if (c == ')') --depth;
+      if (!is_space) words.back() += c;
+    }
+    return words;
   }
 
   void read_json(const std::string& text) {

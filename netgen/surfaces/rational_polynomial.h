@@ -18,9 +18,19 @@ struct RationalPolynomialType {
 /// A polynomial over ℚ.
 using RationalPolynomial = certify::Owner<RationalPolynomialType>;
 
+[[nodiscard]] inline mpz_class denominator_of(const RationalPolynomial& x) {
+  certify::Integer result;
+  fmpq_poly_get_denominator(result.get(), x.get());
+  return result.value();
+}
+
 [[nodiscard]] inline mpq_class coefficient(const RationalPolynomial& x, slong k) {
+  fmpq_t value;
+  fmpq_init(value);
+  fmpq_poly_get_coeff_fmpq(value, x.get(), k);
   mpq_class result;
-  fmpq_poly_get_coeff_mpq(result.get_mpq_t(), x.get(), k);
+  fmpq_get_mpq(result.get_mpq_t(), value);
+  fmpq_clear(value);
   return result;
 }
 

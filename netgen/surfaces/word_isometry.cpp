@@ -34,7 +34,7 @@ certify::Gaussian to_gaussian(const Complex<Rational>& z) {
 certify::BallIsometry ball_crossing(const Surface& surface, SideId side, slong precision) {
   if (const auto& tiles = surface.field_tiles()) {
     const certify::Isometry<certify::FieldNumber>& f = tiles->crossing[side];
-    return certify::to_balls(f, certify::norm(f.a) - certify::norm(f.b), precision);
+    return certify::to_balls(f, certify::determinant(f), precision);
   }
   const auto [p, q] = *surface.regular_tile();
   return certify::regular_crossing({p, q}, surface.place_in_tile(side), surface.place_in_tile(surface.partner(side)),

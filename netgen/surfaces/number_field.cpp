@@ -1,0 +1,566 @@
+#include "netgen/surfaces/number_field.h"
+
+#if __has_include(<flint/arb_fmpz_poly.h>)
+#include <flint/arb_fmpz_poly.h>
+#else
+#include <arb_fmpz_poly.h>
+#endif
+#include <algorithm>
+#include <cctype>
+#include <flint/fmpq_mat.h>
+#include <flint/fmpz_poly_factor.h>
+#include <optional>
+#include <string>
+
+#include "certify/base/text.h"
+#include "certify/numbers/field_number.h"
+#include "triangulation/surface/surface.h"
+
+namespace epsnet {
+namespace {
+
+using certify::Polynomial;
+
+/// Of the values of numbers: far more than tells a number from 0 that a person writes.
+constexpr slong kValueBits = 4096;
+
+struct RationalType {
+  using Struct = fmpq;
+  static void init(fmpq* x) { fmpq_init(x); }
+  static void set(fmpq* x, const fmpq* y) { fmpq_set(x, y); }
+  static void swap(fmpq* x, fmpq* y) { fmpq_swap(x, y); }
+  static void clear(fmpq* x) { fmpq_clear(x); }
+};
+using FlintRational = certify::Owner<RationalType>;
+
+RationalPolynomial constant(const mpq_class& x) {
+  RationalPolynomial result;
+  FlintRational value;
+  fmpq_set_mpq(value.get(), x.get_mpq_t());
+  fmpq_poly_set_coeff_fmpq(result.get(), 0, value.get());
+  return result;
+}
+
+bool is_zero(const RationalPolynomial& x) { return fmpq_poly_is_zero(x.get()) != 0; }
+bool is_constant(const RationalPolynomial& x) { return fmpq_poly_degree(x.get()) <= 0; }
+
+RationalPolynomial to_rational(const Polynomial& x) {
+  RationalPolynomial result;
+  fmpq_poly_set_fmpz_poly(result.get(), x.get());
+  return result;
+}
+
+/// A multiple without fractions.
+Polynomial integral(const RationalPolynomial& x) {
+  Polynomial result;
+  fmpq_poly_get_numerator(result.get(), x.get());
+  return result;
+}
+
+RationalPolynomial sum(RationalPolynomial x, const RationalPolynomial& y) {
+  fmpq_poly_add(x.get(), x.get(), y.get());
+  return x;
+}
+
+RationalPolynomial negative(RationalPolynomial x) {
+  fmpq_poly_neg(x.get(), x.get());
+  return x;
+}
+
+RationalPolynomial product_of(const RationalPolynomial& x, const RationalPolynomial& y) {
+  RationalPolynomial result;
+  fmpq_poly_mul(result.get(), x.get(), y.get());
+  return result;
+}
+
+RationalPolynomial remainder(const RationalPolynomial& x, const Polynomial& f) {
+  RationalPolynomial result;
+  fmpq_poly_rem(result.get(), x.get(), to_rational(f).get());
+  return result;
+}
+
+certify::Ball evaluated(const Polynomial& x, const certify::Ball& at) {
+  certify::Ball result;
+  arb_fmpz_poly_evaluate_arb(result.get(), x.get(), at.get(), kValueBits);
+  return result;
+}
+
+/// The real roots of a polynomial without multiple ones, in balls that are apart.
+std::vector<certify::Ball> real_roots(const Polynomial& f) {
+  const slong degree = fmpz_poly_degree(f.get());
+  acb_ptr roots = _acb_vec_init(degree);
+  arb_fmpz_poly_complex_roots(roots, f.get(), 0, kValueBits);
+  std::vector<certify::Ball> result;
+  for (slong i = 0; i < degree; ++i) {
+    if (arb_is_zero(acb_imagref(roots + i)) != 0) result.emplace_back(acb_realref(roots + i));
+  }
+  _acb_vec_clear(roots, degree);
+  return result;
+}
+
+/// The irreducible factors of a polynomial, each once.
+std::vector<Polynomial> factors_of(const Polynomial& f) {
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  fmpz_poly_factor(factors, f.get());
+  std::vector<Polynomial> result(static_cast<std::size_t>(factors->num));
+  for (std::size_t i = 0; i < result.size(); ++i) fmpz_poly_set(result[i].get(), factors->p + i);
+  fmpz_poly_factor_clear(factors);
+  return result;
+}
+
+/// Numbers of K[t]/(p) for the polynomial p of degree m over K = ℚ(α): polynomials in t of less degree.
+using Extended = std::vector<RationalPolynomial>;
+
+/// The rows are coordinates of some numbers, for which x_k = Σ c_i row_i is solved; false if they are dependent.
+class Coordinates {
+ public:
+  explicit Coordinates(slong size) : size_(size) {
+    fmpq_mat_init(rows_, size, size);
+    fmpq_mat_init(wanted_, size, 3);
+    fmpq_mat_init(solution_, size, 3);
+  }
+  Coordinates(const Coordinates&) = delete;
+  Coordinates& operator=(const Coordinates&) = delete;
+  ~Coordinates() {
+    fmpq_mat_clear(rows_);
+    fmpq_mat_clear(wanted_);
+    fmpq_mat_clear(solution_);
+  }
+
+  void set_row(slong i, const Extended& x) { set(rows_, i, x); }
+  void set_wanted(slong k, const Extended& x) { set(wanted_, k, x); }
+  [[nodiscard]] bool solve() { return fmpq_mat_solve(solution_, rows_, wanted_) != 0; }
+  [[nodiscard]] RationalPolynomial solution(slong k) const {
+    RationalPolynomial result;
+    for (slong i = 0; i < size_; ++i) fmpq_poly_set_coeff_fmpq(result.get(), i, fmpq_mat_entry(solution_, i, k));
+    return result;
+  }
+
+ private:
+  /// Column i, by the degrees in α and t.
+  void set(fmpq_mat_t matrix, slong column, const Extended& x) const {
+    const slong degree = size_ / static_cast<slong>(x.size());
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      for (slong i = 0; i < degree; ++i) {
+        fmpq_poly_get_coeff_fmpq(fmpq_mat_entry(matrix, static_cast<slong>(j) * degree + i, column), x[j].get(), i);
+      }
+    }
+  }
+
+  slong size_;
+  fmpq_mat_t rows_;
+  fmpq_mat_t wanted_;
+  fmpq_mat_t solution_;
+};
+
+/// The polynomial in `inner` that x is, both modulo f; inner generates the field.
+RationalPolynomial expressed(const RationalPolynomial& x, const RationalPolynomial& inner, const Polynomial& f) {
+  const slong degree = fmpz_poly_degree(f.get());
+  Coordinates coordinates(degree);
+  RationalPolynomial power = constant(1);
+  for (slong i = 0; i < degree; ++i) {
+    coordinates.set_row(i, {power});
+    power = remainder(product_of(power, inner), f);
+  }
+  for (slong k = 0; k < 3; ++k) coordinates.set_wanted(k, {x});
+  if (!coordinates.solve()) throw SurfaceError("a number does not generate its field");
+  return coordinates.solution(0);
+}
+
+}  // namespace
+
+/// The field became larger: what was read before means something else now.
+struct Adjoined {};
+
+/// Reads one number, and has its reader adjoin what is missing.
+class NumberFieldParser {
+ public:
+  NumberFieldParser(std::string_view text, NumberFieldReader& reader) : text_(text), reader_(reader) {}
+
+  RationalPolynomial read() {
+    RationalPolynomial result = sum_of_products();
+    if (at_ != text_.size()) fail("an operator");
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw SurfaceError(certify::in_quotes(text_) + ": expected " + expected + " at character " +
+                       std::to_string(at_ + 1));
+  }
+
+  [[nodiscard]] char next() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  bool take(std::string_view token) {
+    (void)next();
+    if (!text_.substr(at_).starts_with(token)) return false;
+    at_ += token.size();
+    return true;
+  }
+  void expect(std::string_view token) {
+    if (!take(token)) fail("'" + std::string(token) + "'");
+  }
+
+  /// In a polynomial x is a variable, and nothing is reduced.
+  [[nodiscard]] RationalPolynomial times(const RationalPolynomial& x, const RationalPolynomial& y) const {
+    return in_polynomial_ ? product_of(x, y) : reader_.product(x, y);
+  }
+
+  mpq_class decimal() {
+    (void)next();
+    const std::size_t first = at_;
+    while (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
+      ++at_;
+    constexpr std::size_t kMostDigits = 10'000;
+    const auto value =
+        at_ - first > kMostDigits ? std::nullopt : certify::parse_decimal(text_.substr(first, at_ - first));
+    if (!value) {
+      at_ = first;
+      fail(in_polynomial_ ? "a number or x" : "a number, sqrt(x), root(f,r), cos(a*pi/b) or sin(a*pi/b)");
+    }
+    return *value;
+  }
+
+  std::int64_t integer() {
+    const mpq_class value = decimal();
+    constexpr long kGreatest = 1'000'000;
+    if (value.get_den() != 1 || value > kGreatest) fail("an integer of at most a million before this");
+    return value.get_num().get_si();
+  }
+
+  RationalPolynomial sum_of_products() {
+    RationalPolynomial result = product();
+    while (true) {
+      if (take("+")) {
+        result = sum(std::move(result), product());
+      } else if (take("-")) {
+        result = sum(std::move(result), negative(product()));
+      } else {
+        return result;
+      }
+    }
+  }
+
+  RationalPolynomial product() {
+    RationalPolynomial result = power();
+    while (true) {
+      if (take("*")) {
+        result = times(result, power());
+      } else if (take("/")) {
+        const RationalPolynomial divisor = power();
+        if (is_zero(divisor)) fail("a number other than 0 before this");
+        if (in_polynomial_ && !is_constant(divisor)) fail("a number before this");
+        result = in_polynomial_ ? product_of(result, constant(1 / coefficient(divisor, 0)))
+                                : reader_.quotient(result, divisor);
+      } else {
+        return result;
+      }
+    }
+  }
+
+  RationalPolynomial power() {
+    RationalPolynomial base = factor();
+    if (!take("^")) return base;
+    constexpr std::int64_t kGreatestPower = 64;
+    const std::int64_t exponent = integer();
+    if (exponent > kGreatestPower) fail("a power of at most " + std::to_string(kGreatestPower) + " before this");
+    RationalPolynomial result = constant(1);
+    for (std::int64_t i = 0; i < exponent; ++i) result = times(result, base);
+    return result;
+  }
+
+  RationalPolynomial factor() {
+    constexpr int kMostDepth = 100;
+    if (++depth_ > kMostDepth) fail("fewer parentheses, or signs before a number,");
+    RationalPolynomial result = factor_at_depth();
+    --depth_;
+    return result;
+  }
+
+  RationalPolynomial factor_at_depth() {
+    if (take("-")) return negative(factor());
+    if (take("(")) {
+      RationalPolynomial result = sum_of_products();
+      expect(")");
+      return result;
+    }
+    if (in_polynomial_) {
+      if (!take("x")) return constant(decimal());
+      RationalPolynomial x;
+      fmpq_poly_set_coeff_si(x.get(), 1, 1);
+      return x;
+    }
+    const std::size_t first = at_;
+    for (const auto& [name, read] :
+         {std::pair{"sqrt(", &NumberFieldParser::root_of_number},
+          std::pair{"root(", &NumberFieldParser::root_of_polynomial}, std::pair{"cos(", &NumberFieldParser::cosine},
+          std::pair{"sin(", &NumberFieldParser::sine}}) {
+      if (take(name)) return (this->*read)(first);
+    }
+    return constant(decimal());
+  }
+
+  /// What begins at a character and ends here.
+  [[nodiscard]] std::string text_from(std::size_t first) const { return std::string(text_.substr(first, at_ - first)); }
+
+  /// The number with this name. Throws Adjoined after it was adjoined, if it is not known.
+  RationalPolynomial named(const std::string& name, const std::vector<RationalPolynomial>& polynomial,
+                           const certify::Ball& value) {
+    for (const auto& known : reader_.named_) {
+      if (known.name == name) return known.value;
+    }
+    const RationalPolynomial result = reader_.adjoined(polynomial, value);
+    reader_.named_.push_back({name, result});
+    throw Adjoined();
+  }
+
+  RationalPolynomial root_of_number(std::size_t first) {
+    const RationalPolynomial square = sum_of_products();
+    expect(")");
+    if (is_zero(square)) return square;
+    const certify::Ball value = reader_.value(square);
+    if (certify::certainly_positive(value) != certify::Tri::yes)
+      fail("a positive number in the square root before this");
+    const certify::Precision scope(kValueBits);
+    return named(text_from(first), {negative(square), constant(0)}, sqrt(value));
+  }
+
+  RationalPolynomial root_of_polynomial(std::size_t first) {
+    in_polynomial_ = true;
+    const RationalPolynomial f = sum_of_products();
+    in_polynomial_ = false;
+    if (fmpq_poly_degree(f.get()) < 1 || fmpq_poly_degree(f.get()) > NumberFieldReader::kMostDegree) {
+      fail("a polynomial in x of degree 1 to 64 before this");
+    }
+    expect(",");
+    const mpq_class sign = take("-") ? -1 : 1;
+    const mpq_class near = sign * decimal();
+    expect(")");
+    const certify::Precision scope(kValueBits);
+    std::optional<certify::Ball> root;
+    Polynomial least;
+    const certify::Ball target = certify::Ball::rounded(near);
+    for (const Polynomial& factor : factors_of(integral(f))) {
+      for (const certify::Ball& candidate : real_roots(factor)) {
+        if (root && certify::certainly_less(abs(candidate - target), abs(*root - target)) != certify::Tri::yes)
+          continue;
+        root = candidate;
+        least = factor;
+      }
+    }
+    if (!root) fail("a polynomial that has a real root before this");
+    return named(text_from(first), monic(least), *root);
+  }
+
+  static std::vector<RationalPolynomial> monic(const Polynomial& f) {
+    const RationalPolynomial rational = to_rational(f);
+    const slong degree = fmpz_poly_degree(f.get());
+    std::vector<RationalPolynomial> result;
+    for (slong i = 0; i < degree; ++i)
+      result.push_back(constant(coefficient(rational, i) / coefficient(rational, degree)));
+    return result;
+  }
+
+  RationalPolynomial cosine(std::size_t) { return cosine_of(angle()); }
+  RationalPolynomial sine(std::size_t) { return cosine_of(mpq_class(1, 2) - angle()); }
+
+  /// a/b of "a*pi/b)".
+  mpq_class angle() {
+    const int sign = take("-") ? -1 : 1;
+    std::int64_t times = 1;
+    if (!take("pi")) {
+      times = integer();
+      expect("*");
+      expect("pi");
+    }
+    const std::int64_t by = take("/") ? integer() : 1;
+    if (by == 0) fail("a number other than 0 before this");
+    expect(")");
+    mpq_class result(mpz_class(static_cast<long>(sign * times)), mpz_class(static_cast<long>(by)));
+    result.canonicalize();
+    return result;
+  }
+
+  /// Of a multiple of π: half of a root of the minimal polynomial of 2cos(2π/n).
+  RationalPolynomial cosine_of(const mpq_class& times_pi) {
+    mpq_class turns = times_pi / 2;
+    turns.canonicalize();
+    constexpr unsigned long kMostParts = 1000;
+    if (turns.get_den() > kMostParts) fail("an angle of at most 500 parts of pi before this");
+    const unsigned long n = turns.get_den().get_ui();
+    Polynomial f;
+    fmpz_poly_cos_minpoly(f.get(), n);
+    FlintRational angle;
+    fmpq_set_mpq(angle.get(), times_pi.get_mpq_t());
+    certify::Ball value;
+    arb_cos_pi_fmpq(value.get(), angle.get(), kValueBits);
+    return product_of(constant(mpq_class(1, 2)), named("cos " + turns.get_str(), monic(f), twice(value)));
+  }
+
+  std::string_view text_;
+  NumberFieldReader& reader_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  bool in_polynomial_ = false;
+};
+
+NumberFieldReader::NumberFieldReader() { fmpz_poly_set_coeff_si(f_.get(), 1, 1); }
+
+void NumberFieldReader::add(std::string_view text) {
+  while (true) {
+    try {
+      numbers_.push_back(NumberFieldParser(text, *this).read());
+      return;
+    } catch (const Adjoined&) {
+      // Again, with one number more that has a name.
+    }
+  }
+}
+
+RationalPolynomial NumberFieldReader::product(const RationalPolynomial& x, const RationalPolynomial& y) const {
+  return remainder(product_of(x, y), f_);
+}
+
+RationalPolynomial NumberFieldReader::quotient(const RationalPolynomial& x, const RationalPolynomial& y) const {
+  // f is irreducible: s y + t f = 1.
+  RationalPolynomial one;
+  RationalPolynomial s;
+  RationalPolynomial t;
+  fmpq_poly_xgcd(one.get(), s.get(), t.get(), y.get(), to_rational(f_).get());
+  return product(x, s);
+}
+
+certify::Ball NumberFieldReader::value(const RationalPolynomial& x) const {
+  const certify::Precision scope(kValueBits);
+  certify::Integer denominator;
+  fmpq_poly_get_denominator(denominator.get(), x.get());
+  return evaluated(integral(x), alpha_) / certify::Ball::rounded(denominator.value());
+}
+
+RationalPolynomial NumberFieldReader::adjoined(const std::vector<RationalPolynomial>& p, const certify::Ball& t) {
+  const auto m = static_cast<slong>(p.size());
+  const slong size = degree() * m;
+  constexpr slong kMostSize = 2 * kMostDegree;
+  if (size > kMostSize)
+    throw SurfaceError("the numbers are in a field of degree " + std::to_string(size) + ", expected at most 64");
+  RationalPolynomial alpha;
+  fmpq_poly_set_coeff_si(alpha.get(), 1, 1);
+  alpha = remainder(alpha, f_);
+  const auto numbers = [&](const RationalPolynomial& first, const RationalPolynomial& second) {
+    Extended result(p.size());
+    result[0] = first;
+    if (m > 1) result[1] = second;
+    return result;
+  };
+  // θ = t + cα generates both but for few c.
+  constexpr long kMostTrials = 100;
+  for (long c = degree() == 1 ? 0 : 1; c < kMostTrials; ++c) {
+    const RationalPolynomial shift = product_of(constant(c), alpha);
+    const auto times_theta = [&](const Extended& x) {
+      Extended result(x.size());
+      for (std::size_t j = 0; j < x.size(); ++j) {
+        result[j] = sum(product(shift, x[j]), j > 0 ? x[j - 1] : RationalPolynomial());
+        result[j] = sum(std::move(result[j]), negative(product(x.back(), p[j])));
+      }
+      return result;
+    };
+    Coordinates coordinates(size);
+    Extended power = numbers(constant(1), {});
+    for (slong i = 0; i < size; ++i) {
+      coordinates.set_row(i, power);
+      power = times_theta(power);
+    }
+    coordinates.set_wanted(0, power);
+    coordinates.set_wanted(1, numbers(alpha, {}));
+    coordinates.set_wanted(2, m > 1 ? numbers({}, constant(1)) : numbers(negative(p[0]), {}));
+    if (!coordinates.solve()) continue;
+    // θ^size is this polynomial in θ.
+    RationalPolynomial relation = negative(coordinates.solution(0));
+    fmpq_poly_set_coeff_si(relation.get(), size, 1);
+    const certify::Precision scope(kValueBits);
+    const certify::Ball theta = t + c * alpha_;
+    std::optional<Polynomial> least;  // That of θ.
+    for (const Polynomial& factor : factors_of(integral(relation))) {
+      if (arb_contains_zero(evaluated(factor, theta).get()) == 0) continue;
+      if (least)
+        throw SurfaceError("a number cannot be told from another one with " + std::to_string(kValueBits) + " bits");
+      least = factor;
+    }
+    if (!least) throw SurfaceError("a number has no minimal polynomial that its decimals know");
+    const RationalPolynomial alpha_in_theta = remainder(coordinates.solution(1), *least);
+    RationalPolynomial root = remainder(coordinates.solution(2), *least);
+    if (fmpz_poly_degree(least->get()) == degree()) return expressed(root, alpha_in_theta, *least);
+    move_to(*least, theta, alpha_in_theta, root);
+    return root;
+  }
+  throw SurfaceError("a number has a minimal polynomial with multiple roots");
+}
+
+void NumberFieldReader::move_to(const Polynomial& h, const certify::Ball& theta, const RationalPolynomial& alpha,
+                                RationalPolynomial& also) {
+  const slong degree = fmpz_poly_degree(h.get());
+  if (degree > kMostDegree)
+    throw SurfaceError("the numbers are in a field of degree " + std::to_string(degree) + ", expected at most 64");
+  // The new α is lθ, an algebraic integer, for the leading coefficient l: l^(degree − 1) h(α/l) is monic.
+  certify::Integer lead;
+  fmpz_poly_get_coeff_fmpz(lead.get(), h.get(), degree);
+  Polynomial monic;
+  certify::Integer factor;
+  fmpz_one(factor.get());
+  fmpz_poly_set_coeff_si(monic.get(), degree, 1);
+  for (slong i = degree - 1; i >= 0; --i) {
+    certify::Integer coefficient;
+    fmpz_poly_get_coeff_fmpz(coefficient.get(), h.get(), i);
+    fmpz_mul(coefficient.get(), coefficient.get(), factor.get());
+    fmpz_poly_set_coeff_fmpz(monic.get(), i, coefficient.get());
+    fmpz_mul(factor.get(), factor.get(), lead.get());
+  }
+  f_ = monic;
+  const certify::Precision scope(kValueBits);
+  alpha_ = certify::Ball::rounded(lead.value()) * theta;
+  RationalPolynomial theta_now;
+  fmpq_poly_set_coeff_si(theta_now.get(), 1, 1);
+  fmpq_poly_scalar_div_fmpz(theta_now.get(), theta_now.get(), lead.get());
+  theta_now = remainder(theta_now, f_);
+  const auto composed = [&](const RationalPolynomial& outer, const RationalPolynomial& inner) {
+    // Horner's scheme, reduced after each step.
+    RationalPolynomial result;
+    for (slong i = fmpq_poly_degree(outer.get()); i >= 0; --i) {
+      result = sum(product(result, inner), constant(coefficient(outer, i)));
+    }
+    return result;
+  };
+  const RationalPolynomial alpha_now = composed(alpha, theta_now);
+  also = composed(also, theta_now);
+  for (Named& known : named_) known.value = composed(known.value, alpha_now);
+  for (RationalPolynomial& number : numbers_) number = composed(number, alpha_now);
+}
+
+certify::SurfaceDocument::Field NumberFieldReader::field() const {
+  certify::SurfaceDocument::Field result;
+  for (slong i = 0; i <= degree(); ++i) {
+    certify::Integer coefficient;
+    fmpz_poly_get_coeff_fmpz(coefficient.get(), f_.get(), i);
+    result.polynomial.push_back(coefficient.value());
+  }
+  // As short an interval with as few digits as is needed.
+  for (slong bits = 0;; ++bits) {
+    certify::Integer floor;
+    const certify::Precision scope(kValueBits);
+    certify::Ball scaled_alpha = scaled(alpha_, bits);
+    arf_get_fmpz(floor.get(), arb_midref(scaled_alpha.get()), ARF_RND_FLOOR);
+    const mpz_class scale = mpz_class(1) << static_cast<mp_bitcnt_t>(bits);
+    result.root = {mpq_class(mpz_class(floor.value() - 1), scale), mpq_class(mpz_class(floor.value() + 2), scale)};
+    for (mpq_class& end : result.root) end.canonicalize();
+    const auto& [lower, upper] = result.root;
+    if (certify::sign_changes(result.polynomial, lower, upper) == 1 &&
+        certify::sign_at(result.polynomial, lower) * certify::sign_at(result.polynomial, upper) < 0) {
+      return result;
+    }
+  }
+}
+
+}  // namespace epsnet
