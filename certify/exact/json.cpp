@@ -290,6 +290,11 @@ mpq_class to_rational(const Json& value) {
   return negative ? mpq_class(-result) : result;
 }
 
+mpz_class to_integer(const Json& value) {
+  if (string_of(value, "an integer in a string").find('/') != std::string::npos) wrong(value, "an integer");
+  return to_rational(value).get_num();
+}
+
 mpq_class to_decimal(const Json& value) {
   const std::string& text = string_of(value, "a decimal in a string");
   if (text.find('/') != std::string::npos) return to_rational(value);
