@@ -1,5 +1,5 @@
-#include <array>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,22 +9,46 @@
 
 /// Section 9.1: the rule `surface` for tiles over a number field, whose crossings are given.
 namespace epsnet::exact {
+namespace {
+
+using FieldVector = MinkowskiVector<FieldNumber>;
+using FieldIsometry = Isometry<FieldNumber>;
+
+/// (a′): the vertices, which are in the disk.
+std::vector<std::vector<FieldVector>> vectors_of(const FieldTiles& given, const NumberField& field,
+                                                 NetRules<FieldNumber>& rules) {
+  std::vector<std::vector<FieldVector>> vectors;
+  for (std::size_t t = 0; t < given.tiles.size(); ++t) {
+    vectors.emplace_back();
+    for (const auto& [x, y, last] : given.tiles[t]) {
+      const FieldVector v{{field, x}, {field, y}, {field, last}};
+      rules.spend(bits(v));
+      if (sgn(v.t) <= 0 || sgn(lorentz_product(v, v)) >= 0) refute_vertex_of(t);
+      vectors.back().push_back(v);
+    }
+  }
+  return vectors;
+}
+
+/// (c′): an isometry that takes side s to the other one, so that they are of equal length.
+void expect_crossing(const FieldIsometry& g, Index s, Index other, const TileRules<FieldNumber>& tiles,
+                     const NetStructure& net) {
+  const std::string name = "the crossing of " + net.side_name(s);
+  if (sgn(norm(g.a) - norm(g.b)) <= 0) throw Refutation{name + " is no isometry"};
+  if (!are_parallel(image(g, tiles.side_start(s)), tiles.side_end(other)) ||
+      !are_parallel(image(g, tiles.side_end(s)), tiles.side_start(other))) {
+    throw Refutation{name + " does not take it to " + net.side_name(other)};
+  }
+}
+
+}  // namespace
 
 template <>
 std::size_t NetRules<FieldNumber>::check_tiles() {
   const FieldTiles& given = *net().field;
   const auto field = std::make_shared<NumberField>(given.polynomial, given.root[0], given.root[1]);
   field_ = field;
-  const auto number_of = [&](const Polynomial& x) { return FieldNumber(*field, x); };
-  std::vector<std::vector<MinkowskiVector<FieldNumber>>> vectors;
-  for (const auto& tile : given.tiles) {
-    vectors.emplace_back();
-    for (const auto& [x, y, t] : tile) {
-      vectors.back().push_back({number_of(x), number_of(y), number_of(t)});
-      spend(bits(vectors.back().back()));
-    }
-  }
-  TileRules<FieldNumber> tiles(*this, std::move(vectors));
+  TileRules<FieldNumber> tiles(*this, vectors_of(given, *field, *this));
   tiles.check_convexity();
   crossings_.resize(sides());
   for (std::size_t i = 0; i < given.crossings.size(); ++i) {
@@ -32,15 +56,9 @@ std::size_t NetRules<FieldNumber>::check_tiles() {
     const Index s = side(tile, k);
     const Index other = side(other_tile, other_k);
     const auto& [a, a_im, b, b_im] = given.crossings[i];
-    const Isometry<FieldNumber> g{{number_of(a), number_of(a_im)}, {number_of(b), number_of(b_im)}};
+    const FieldIsometry g{{{*field, a}, {*field, a_im}}, {{*field, b}, {*field, b_im}}};
     spend(bits(g));
-    const std::string name = "the crossing of " + side_name(s);
-    if (sgn(norm(g.a) - norm(g.b)) <= 0) throw Refutation{name + " is no isometry"};
-    // (c′), by which the two sides are of equal length.
-    if (!are_parallel(exact::image(g, tiles.side_start(s)), tiles.side_end(other)) ||
-        !are_parallel(exact::image(g, tiles.side_end(s)), tiles.side_start(other))) {
-      throw Refutation{name + " does not take it to " + side_name(other)};
-    }
+    expect_crossing(g, s, other, tiles, *this);
     crossings_[s] = g;
     crossings_[other] = inverse(g);
   }

@@ -291,8 +291,12 @@ mpq_class to_rational(const Json& value) {
 }
 
 mpz_class to_integer(const Json& value) {
-  if (string_of(value, "an integer in a string").find('/') != std::string::npos) wrong(value, "an integer");
-  return to_rational(value).get_num();
+  std::string_view text = string_of(value, "an integer in a string");
+  const bool negative = take(text, '-');
+  const std::string_view digits = take_digits(text);
+  if (digits.empty() || !text.empty() || digits.size() > kMaxDigits) wrong(value, "an integer");
+  const mpz_class result = integer(digits);
+  return negative ? mpz_class(-result) : result;
 }
 
 mpq_class to_decimal(const Json& value) {

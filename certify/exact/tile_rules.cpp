@@ -46,9 +46,12 @@ RationalIsometry crossing(NetRules<mpz_class>& rules, const Side& side, const Si
 template <>
 std::size_t NetRules<mpz_class>::check_tiles() {
   std::vector<std::vector<MinkowskiVector<mpz_class>>> vectors;
-  for (const auto& tile : net().tiles) {
+  for (std::size_t t = 0; t < net().tiles.size(); ++t) {
     vectors.emplace_back();
-    for (const RationalPoint& z : tile) vectors.back().push_back(minkowski_vector(z));
+    for (const RationalPoint& z : net().tiles[t]) {
+      if (gap(z) <= 0) refute_vertex_of(t);  // Its vector would be that of 1/z̄.
+      vectors.back().push_back(minkowski_vector(z));
+    }
   }
   TileRules<mpz_class> tiles(*this, std::move(vectors));
   tiles.check_convexity();
