@@ -46,7 +46,9 @@ void expect_crossing(const FieldIsometry& g, Index s, Index other, const TileRul
 template <>
 std::size_t NetRules<FieldNumber>::check_tiles() {
   const FieldTiles& given = *net().field;
-  const auto field = std::make_shared<NumberField>(given.polynomial, given.root[0], given.root[1]);
+  const auto field =
+      std::make_shared<NumberField>(given.polynomial, given.root[0], given.root[1],
+                                    NumberField::kUsualWork + NumberField::kWorkOfATriangle * net().triangles.size());
   field_ = field;
   TileRules<FieldNumber> tiles(*this, vectors_of(given, *field, *this));
   tiles.check_convexity();

@@ -11,8 +11,6 @@ namespace {
 
 /// Of the polynomial and the ends of the interval, times the degree.
 constexpr std::size_t kMaxBitsOfField = std::size_t{1} << 20;
-/// Of all that is computed to find the root and factors: some seconds.
-constexpr std::size_t kMaxBitsOfRoot = std::size_t{1} << 35;
 constexpr mp_bitcnt_t kFirstBitsOfRoot = 128;
 
 std::size_t bits_of(const Polynomial& x) {
@@ -25,6 +23,11 @@ std::size_t largest_bits(const Polynomial& x) {
   std::size_t most = 0;
   for (const mpz_class& n : x) most = std::max(most, bits(n));
   return most;
+}
+
+/// Of so many products of integers of so many bits, in units of half a nanosecond.
+std::size_t work_of_products(std::size_t count, std::size_t bits_of_x, std::size_t bits_of_y) {
+  return 4 * count * (1 + bits_of_x / 64) * (1 + bits_of_y / 64);
 }
 
 void make_primitive(Polynomial& x) {
@@ -104,8 +107,8 @@ int changes_of_sign(const Polynomial& x) {
 
 }  // namespace
 
-NumberField::NumberField(Polynomial f, const mpq_class& lower, const mpq_class& upper)
-    : f_(std::move(f)), denominator_(lcm(lower.get_den(), upper.get_den())), bits_left_(kMaxBitsOfRoot), factor_(f_) {
+NumberField::NumberField(Polynomial f, const mpq_class& lower, const mpq_class& upper, std::size_t work)
+    : f_(std::move(f)), denominator_(lcm(lower.get_den(), upper.get_den())), work_left_(work), factor_(f_) {
   lower_ = lower.get_num() * (denominator_ / lower.get_den());
   upper_ = upper.get_num() * (denominator_ / upper.get_den());
   const std::size_t bits_of_interval = bits(lower_) + bits(upper_) + bits(denominator_);
@@ -125,9 +128,9 @@ NumberField::NumberField(Polynomial f, const mpq_class& lower, const mpq_class& 
   floor_ = compare(0, 0) < 0 ? -1 : 0;
 }
 
-void NumberField::spend(std::size_t bits) const {
-  if (bits > bits_left_) throw TooLarge{"the root of its polynomial, or a factor, is too much work"};
-  bits_left_ -= bits;
+void NumberField::spend(std::size_t work) const {
+  if (work > work_left_) throw TooLarge{"its numbers, of degree " + std::to_string(degree()) + ", take too much work"};
+  work_left_ -= work;
 }
 
 Polynomial NumberField::reduced(Polynomial x) const {
@@ -135,7 +138,16 @@ Polynomial NumberField::reduced(Polynomial x) const {
   return x;
 }
 
-Polynomial NumberField::product(const Polynomial& x, const Polynomial& y) const { return reduced(plain_product(x, y)); }
+Polynomial NumberField::product(const Polynomial& x, const Polynomial& y) const {
+  const Polynomial plain = plain_product(x, y);
+  Polynomial result = reduced(plain);
+  spend(work_of_products(x.size() * y.size(), largest_bits(x), largest_bits(y)));
+  if (plain.size() >= factor_.size()) {
+    const std::size_t steps = plain.size() - factor_.size() + 1;
+    spend(work_of_products(steps * factor_.size(), largest_bits(factor_), largest_bits(result)));
+  }
+  return result;
+}
 
 mpz_class NumberField::scaled_value(const mpz_class& n, long e) const {
   if (e < 0) return scaled_value(n << static_cast<mp_bitcnt_t>(-e), 0);
@@ -187,7 +199,7 @@ const std::vector<Approximation>& NumberField::powers(mp_bitcnt_t bits) const {
   if (found != powers_.end()) return found->second;
   const mpz_class n = root(bits);
   const mpz_class most = abs(n) + 1;
-  spend(degree() * degree() * (exact::bits(n) + bits));
+  spend(work_of_products(degree(), exact::bits(n), exact::bits(n)));
   std::vector<Approximation> powers{{mpz_class(1) << bits, 0}};
   while (powers.size() < degree()) {
     // |v n − V A| <= |v| |n − A| + |A| |v − V|, and |n − A| <= 1.
@@ -199,6 +211,7 @@ const std::vector<Approximation>& NumberField::powers(mp_bitcnt_t bits) const {
 
 Approximation NumberField::approximation(const Polynomial& x, mp_bitcnt_t bits) const {
   const std::vector<Approximation>& powers = this->powers(bits);
+  spend(work_of_products(2 * x.size(), largest_bits(x), bits));
   Approximation result;
   for (std::size_t i = 0; i < x.size(); ++i) {
     result.value += x[i] * powers[i].value;

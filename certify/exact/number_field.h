@@ -15,10 +15,14 @@ using Polynomial = Integers;
 
 /// ℤ[α] for the one root α of a polynomial f in an interval. f need not be irreducible.
 class NumberField {
- public:
+ public:  /// Half a minute of work with the field and its numbers, and what a triangle of a net may take besides.
+  static constexpr std::size_t kUsualWork = std::size_t{1} << 36;
+  static constexpr std::size_t kWorkOfATriangle = std::size_t{1} << 21;
+
   /// f is monic, of degree 1 to 64, and lower < upper. Throws Refutation if f has no root between them, and TooLarge if
-  /// Descartes' rule (Lemma 9.2) does not say that it has exactly one, or if the numbers are too large.
-  NumberField(Polynomial f, const mpq_class& lower, const mpq_class& upper);
+  /// Descartes' rule (Lemma 9.2) does not say that it has exactly one, or if the numbers are too large. All that is
+  /// asked of it later takes work, and throws TooLarge if that is not left.
+  NumberField(Polynomial f, const mpq_class& lower, const mpq_class& upper, std::size_t work = kUsualWork);
   NumberField(const NumberField&) = delete;
   NumberField& operator=(const NumberField&) = delete;
 
@@ -44,10 +48,9 @@ class NumberField {
   void refine() const;
   /// 2^bits times 1, α, α², ….
   [[nodiscard]] const std::vector<Approximation>& powers(mp_bitcnt_t bits) const;
-  [[nodiscard]] bool excludes_zero(const Polynomial& x, mp_bitcnt_t bits) const;
-  /// Takes so many bits from those that are left, of all that is computed to find the root and factors. Throws
-  /// TooLarge.
-  void spend(std::size_t bits) const;
+  [[nodiscard]] bool excludes_zero(
+      const Polynomial& x, mp_bitcnt_t bits) const;  /// Takes so much from the work that is left. Throws TooLarge.
+  void spend(std::size_t work) const;
 
   Polynomial f_;
   mpz_class lower_;  ///< lower_/denominator_ < α < upper_/denominator_
@@ -55,15 +58,14 @@ class NumberField {
   mpz_class denominator_;
   int sign_below_ = 0;  ///< Of f between lower_ and α.
 
-  mutable std::size_t bits_left_;
+  mutable std::size_t work_left_;
   mutable mpz_class floor_;  ///< floor_ <= 2^exponent_ α < floor_ + 1
   mutable long exponent_ = 0;
   mutable unsigned long step_ = 1;  ///< By so many bits exponent_ will grow, if the secant is near enough to f.
   mutable Polynomial factor_;       ///< The least known one of f of which α is a root.
   mutable std::map<mp_bitcnt_t, std::vector<Approximation>> powers_;
-};
-
-/// x(α). An integer belongs to every field; other numbers of one formula to the same one, which must live as long.
+};  /// x(α). An integer belongs to every field; other numbers of one formula to the same one, which must live as long.
+/// Products, signs and enclosures throw TooLarge if too little work is left.
 class FieldNumber {
  public:
   FieldNumber(long n = 0) : FieldNumber(mpz_class(n)) {}  // NOLINT(google-explicit-constructor): numbers in formulas.
@@ -73,9 +75,7 @@ class FieldNumber {
   friend FieldNumber operator+(const FieldNumber& x, const FieldNumber& y);
   friend FieldNumber operator-(const FieldNumber& x, const FieldNumber& y);
   friend FieldNumber operator-(const FieldNumber& x);
-  friend FieldNumber operator*(const FieldNumber& x, const FieldNumber& y);
-
-  /// The sign, exactly. Throws TooLarge.
+  friend FieldNumber operator*(const FieldNumber& x, const FieldNumber& y);  /// The sign, exactly.
   friend int sgn(const FieldNumber& x);
   friend Interval enclosure(const FieldNumber& x);
 
