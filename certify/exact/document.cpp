@@ -157,7 +157,7 @@ void read_field(const Json& surface, Net& net) {
   const auto& ends = tuple(member(surface, "root"), 2, "root");
   field.root = {to_rational(ends[0]), to_rational(ends[1])};
   if (field.root[0] >= field.root[1]) throw Malformed("root: expected L < U");
-  for (const Json& row : array(member(surface, "tiles"), "tiles")) {
+  for (const Json& row : array(member(surface, "polygons"), "polygons")) {
     field.tiles.emplace_back();
     for (const Json& vertex : array(row, "a tile")) {
       field.tiles.back().push_back(read_field_numbers<3>(vertex, degree, "a vertex of a tile"));
@@ -184,7 +184,7 @@ void read_surface(const Json& surface, Net& net) {
     read_gluing(surface, net);
     if (2 * net.gluing.size() % net.regular->p != 0) throw Malformed("the sides are not those of whole tiles");
   } else if (is_text(kind, "field")) {
-    expect_members(surface, {"kind", "polynomial", "root", "tiles", "gluing", "crossings", "about"});
+    expect_members(surface, {"kind", "polynomial", "root", "polygons", "gluing", "crossings", "about"});
     read_field(surface, net);
   } else {
     expect_members(surface, {"kind", "tiles", "gluing", "about"});

@@ -70,7 +70,7 @@ class Field:
     def surface(self, tiles, gluing, crossings):
         assert self.changes_of_sign() == 1
         return {"kind": "field", "polynomial": [str(c) for c in self.polynomial], "root": self.root,
-                "tiles": [[self.written(vertex) for vertex in tile] for tile in tiles], "gluing": gluing,
+                "polygons": [[self.written(vertex) for vertex in tile] for tile in tiles], "gluing": gluing,
                 "crossings": [self.written(crossing) for crossing in crossings]}
 
 
@@ -171,7 +171,7 @@ def lines(value, depth):
 
 def text(document):
     def members(value):
-        depths = {"tiles": 2, "gluing": 1, "crossings": 1, "charts": 1, "labels": 1, "vertices": 1, "triangles": 1}
+        depths = {"polygons": 2, "gluing": 1, "crossings": 1, "charts": 1, "labels": 1, "vertices": 1, "triangles": 1}
         return "{" + ",\n".join(json.dumps(k) + ":" + (members(v) if isinstance(v, dict) else lines(v, depths.get(k, 0)))
                                 for k, v in value.items()) + "}"
     return members(document) + "\n"

@@ -1064,7 +1064,7 @@ def field_crossing_inside_out():
 def field_vertex_outside_of_the_light_cone():
     """A vertex with X² + Y² > T²."""
     document = field()
-    document["surface"]["tiles"][0][5][2] = ["1"]
+    document["surface"]["polygons"][0][5][2] = ["1"]
     return document
 
 
@@ -1072,7 +1072,7 @@ def field_vertex_outside_of_the_light_cone():
 def field_vertex_on_the_light_cone():
     """A vertex with X² + Y² = T², at infinity."""
     document = field()
-    document["surface"]["tiles"][0][5] = [["0", "-3"], ["0", "-4"], ["0", "5"]]
+    document["surface"]["polygons"][0][5] = [["0", "-3"], ["0", "-4"], ["0", "5"]]
     return document
 
 
@@ -1080,7 +1080,7 @@ def field_vertex_on_the_light_cone():
 def field_vertex_in_the_past():
     """A vertex times −1."""
     document = field()
-    tile = document["surface"]["tiles"][0]
+    tile = document["surface"]["polygons"][0]
     tile[5] = multiple(-1, tile[5])
     return document
 
@@ -1116,7 +1116,7 @@ def field_cone_angle_of_4_pi():
 def field_two_surfaces():
     """Two octagons, each glued to itself; the net is on the first."""
     document = field()
-    document["surface"]["tiles"] *= 2
+    document["surface"]["polygons"] *= 2
     document["surface"]["gluing"] += [[1, k, 1, k + 4] for k in range(4)]
     document["surface"]["crossings"] *= 2
     return document
@@ -3903,7 +3903,7 @@ def field_with_another_root_at_an_end():
 def field_vectors_of_other_sizes():
     """A vertex times 10⁶⁰ and a crossing times −7: the same point and isometry."""
     document = field()
-    tile, crossings = document["surface"]["tiles"][0], document["surface"]["crossings"]
+    tile, crossings = document["surface"]["polygons"][0], document["surface"]["crossings"]
     tile[2] = multiple(10**60, tile[2])
     crossings[2] = multiple(-7, crossings[2])
     return document
