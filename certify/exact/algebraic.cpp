@@ -46,18 +46,6 @@ std::vector<long> half_of_cyclotomic(unsigned long n, const std::vector<unsigned
   return series;
 }
 
-void trim(Cosines& x) {
-  while (!x.empty() && x.back() == 0) x.pop_back();
-}
-
-/// x + factor · y.
-Cosines sum(Cosines x, int factor, const Cosines& y) {
-  x.resize(std::max(x.size(), y.size()));
-  for (std::size_t i = 0; i < y.size(); ++i) x[i] += factor * y[i];
-  trim(x);
-  return x;
-}
-
 }  // namespace
 
 RealField::RealField(unsigned long p, unsigned long q, bool half_turns)
@@ -189,7 +177,7 @@ Algebraic operator*(const Algebraic& x, const Algebraic& y) {
           sum(times(x.u_, y.v_), 1, times(x.v_, y.u_))};
 }
 
-Algebraic::Approximation Algebraic::approximation(mp_bitcnt_t bits) const {
+Approximation Algebraic::approximation(mp_bitcnt_t bits) const {
   const std::vector<mpz_class>& values = field_->values(bits);
   const auto linear = [&](const Cosines& x) {
     Approximation result;
@@ -210,7 +198,7 @@ int sgn(const Algebraic& x) {
   if (x.u_.empty() && x.v_.empty()) return 0;
   if (x.is_integer()) return sgn(x.u_[0]);
   for (mp_bitcnt_t bits = kFirstBits;; bits *= 2) {
-    const Algebraic::Approximation found = x.approximation(bits);
+    const Approximation found = x.approximation(bits);
     if (abs(found.value) > found.error) return sgn(found.value);
     if (bits > kFirstBits || x.u_.empty() || x.v_.empty()) continue;
     // Lemma 9: u + vs = 0 only if u² = v²s², and then it is 0 or 2u.
@@ -225,7 +213,7 @@ Interval enclosure(const Algebraic& x) {
   if (sgn(x) == 0) return 0;
   if (x.is_integer()) return Interval(mpq_class(x.u_[0]));
   for (mp_bitcnt_t bits = 2 * kFirstBits;; bits *= 2) {
-    const Algebraic::Approximation found = x.approximation(bits);
+    const Approximation found = x.approximation(bits);
     if (abs(found.value) > found.error << Interval::kBits) {
       return {found.value - found.error, found.value + found.error, static_cast<mpfr_exp_t>(2 * bits)};
     }

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "certify/exact/integers.h"
 #include "certify/exact/interval.h"
 
 /// The real numbers that regular tiles need, exactly (docs/proof.md, section 9).
@@ -11,8 +12,8 @@ namespace epsnet::exact {
 
 class Algebraic;
 
-/// x_0 + Σ x_k 2cos(2πk/n), k >= 1. The last number is not 0.
-using Cosines = std::vector<mpz_class>;
+/// x_0 + Σ x_k 2cos(2πk/n), k >= 1.
+using Cosines = Integers;
 
 /// ℤ[2cos(2π/n), s] for regular p-gons with the angles 2π/q. With d_m = 2 sin(π/m), s = d_p d_q sinh ρ and so
 /// s² = (2 − 2cos(2π/q))(2cos(2π/p) + 2cos(2π/q)).
@@ -76,11 +77,7 @@ class Algebraic {
   friend std::size_t bits(const Algebraic& x);
 
  private:
-  /// 2^(2 bits) times the number is nearer than the error to the value.
-  struct Approximation {
-    mpz_class value;
-    mpz_class error;
-  };
+  /// Of 2^(2 bits) times the number.
   [[nodiscard]] Approximation approximation(mp_bitcnt_t bits) const;
   [[nodiscard]] bool is_integer() const { return u_.size() <= 1 && v_.empty(); }
 

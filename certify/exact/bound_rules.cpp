@@ -457,5 +457,6 @@ std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {
 
 template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<mpz_class>& net);
 template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<Algebraic>& net);
+template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<FieldNumber>& net);
 
 }  // namespace epsnet::exact

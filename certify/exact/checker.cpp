@@ -41,6 +41,7 @@ Result ask_all(const Net& net, const OwnRules& own_rules) {
     return ask(rules);
   };
   if (net.regular) return ask_all_of(std::make_unique<NetRules<Algebraic>>(net));
+  if (net.field) return ask_all_of(std::make_unique<NetRules<FieldNumber>>(net));
   return ask_all_of(std::make_unique<NetRules<mpz_class>>(net));
 }
 

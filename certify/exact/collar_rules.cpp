@@ -108,5 +108,6 @@ void NetRules<R>::check_collars() {
 
 template void NetRules<mpz_class>::check_collars();
 template void NetRules<Algebraic>::check_collars();
+template void NetRules<FieldNumber>::check_collars();
 
 }  // namespace epsnet::exact

@@ -120,5 +120,6 @@ std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules<R>& 
 
 template std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules<mpz_class>& net);
 template std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules<Algebraic>& net);
+template std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules<FieldNumber>& net);
 
 }  // namespace epsnet::exact

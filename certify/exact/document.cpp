@@ -130,6 +130,46 @@ void read_gluing(const Json& surface, Net& net) {
   }
 }
 
+Polynomial read_polynomial(const Json& value, std::size_t most, const char* what) {
+  Polynomial coefficients;
+  for (const Json& element : array(value, what)) coefficients.push_back(to_integer(element));
+  if (coefficients.empty() || coefficients.size() > most) {
+    throw Malformed(std::string(what) + ": not 1 to " + std::to_string(most) + " integers");
+  }
+  return coefficients;
+}
+
+template <std::size_t size>
+std::array<Polynomial, size> read_field_numbers(const Json& value, std::size_t degree, const char* what) {
+  std::array<Polynomial, size> numbers;
+  for (std::size_t i = 0; i < size; ++i) {
+    numbers.at(i) = read_polynomial(tuple(value, size, what)[i], degree, "a number of the field");
+  }
+  return numbers;
+}
+
+void read_field(const Json& surface, Net& net) {
+  constexpr std::size_t kMaxDegree = 64;
+  FieldTiles& field = net.field.emplace();
+  field.polynomial = read_polynomial(member(surface, "polynomial"), kMaxDegree + 1, "polynomial");
+  const std::size_t degree = field.polynomial.size() - 1;
+  if (degree == 0 || field.polynomial.back() != 1) throw Malformed("polynomial: not monic, or of degree 0");
+  const auto& ends = tuple(member(surface, "root"), 2, "root");
+  field.root = {to_rational(ends[0]), to_rational(ends[1])};
+  if (field.root[0] >= field.root[1]) throw Malformed("root: expected L < U");
+  for (const Json& row : array(member(surface, "polygons"), "polygons")) {
+    field.tiles.emplace_back();
+    for (const Json& vertex : array(row, "a tile")) {
+      field.tiles.back().push_back(read_field_numbers<3>(vertex, degree, "a vertex of a tile"));
+    }
+  }
+  read_gluing(surface, net);
+  for (const Json& row : array(member(surface, "crossings"), "crossings")) {
+    field.crossings.push_back(read_field_numbers<4>(row, degree, "a crossing"));
+  }
+  if (field.crossings.size() != net.gluing.size()) throw Malformed("crossings: not one for each row of gluing");
+}
+
 void read_surface(const Json& surface, Net& net) {
   const Json& kind = member(surface, "kind");
   if (is_text(kind, "regular")) {
@@ -143,6 +183,9 @@ void read_surface(const Json& surface, Net& net) {
                    read_between(member(surface, "q"), 3, 10'000, "q")};
     read_gluing(surface, net);
     if (2 * net.gluing.size() % net.regular->p != 0) throw Malformed("the sides are not those of whole tiles");
+  } else if (is_text(kind, "field")) {
+    expect_members(surface, {"kind", "polynomial", "root", "polygons", "gluing", "crossings", "about"});
+    read_field(surface, net);
   } else {
     expect_members(surface, {"kind", "tiles", "gluing", "about"});
     expect_text(kind, "tiles", "the kind of the surface");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "certify/exact/json.h"
+#include "certify/exact/number_field.h"
 #include "certify/exact/plane.h"
 
 /// The document of a net (docs/format.md).
@@ -49,9 +50,18 @@ struct RegularTiles {
   Index q;
 };
 
+/// Of a surface over a number field.
+struct FieldTiles {
+  Polynomial polynomial;
+  std::array<mpq_class, 2> root;
+  std::vector<std::vector<std::array<Polynomial, 3>>> tiles;
+  std::vector<std::array<Polynomial, 4>> crossings;  ///< By row of the gluing.
+};
+
 struct Net {
-  std::vector<std::vector<RationalPoint>> tiles;  ///< Unless they are regular.
+  std::vector<std::vector<RationalPoint>> tiles;  ///< Of rational tiles; the other two kinds have what follows.
   std::optional<RegularTiles> regular;
+  std::optional<FieldTiles> field;
   std::vector<std::array<Index, 4>> gluing;
   mpq_class epsilon;
   std::vector<std::pair<Index, RationalPoint>> charts;
@@ -60,8 +70,14 @@ struct Net {
   std::vector<Triangle> triangles;
   std::optional<std::vector<Collar>> collars;
 
-  [[nodiscard]] std::size_t tile_count() const { return regular ? 2 * gluing.size() / regular->p : tiles.size(); }
-  [[nodiscard]] std::size_t sides_of(std::size_t tile) const { return regular ? regular->p : tiles[tile].size(); }
+  [[nodiscard]] std::size_t tile_count() const {
+    if (regular) return 2 * gluing.size() / regular->p;
+    return field ? field->tiles.size() : tiles.size();
+  }
+  [[nodiscard]] std::size_t sides_of(std::size_t tile) const {
+    if (regular) return regular->p;
+    return field ? field->tiles[tile].size() : tiles[tile].size();
+  }
 };
 
 /// Members, kinds and ranges of numbers. Throws Malformed. Indices may name what is not there.

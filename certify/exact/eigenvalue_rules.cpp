@@ -201,5 +201,6 @@ std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules
 
 template std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<mpz_class>& net, long);
 template std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<Algebraic>& net, long);
+template std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<FieldNumber>& net, long);
 
 }  // namespace epsnet::exact

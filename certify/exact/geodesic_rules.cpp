@@ -264,8 +264,10 @@ std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<R>&
 
 template std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<mpz_class>& net, long);
 template std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<Algebraic>& net, long);
+template std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<FieldNumber>& net, long);
 
 template class GeodesicRules<mpz_class>;
 template class GeodesicRules<Algebraic>;
+template class GeodesicRules<FieldNumber>;
 
 }  // namespace epsnet::exact

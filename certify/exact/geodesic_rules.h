@@ -63,5 +63,6 @@ class GeodesicRules {
 
 extern template class GeodesicRules<mpz_class>;
 extern template class GeodesicRules<Algebraic>;
+extern template class GeodesicRules<FieldNumber>;
 
 }  // namespace epsnet::exact

@@ -385,5 +385,6 @@ std::vector<Rule> isometry_rules(const IsometriesDocument& document, NetRules<R>
 
 template std::vector<Rule> isometry_rules(const IsometriesDocument& document, NetRules<mpz_class>& net, long);
 template std::vector<Rule> isometry_rules(const IsometriesDocument& document, NetRules<Algebraic>& net, long);
+template std::vector<Rule> isometry_rules(const IsometriesDocument& document, NetRules<FieldNumber>& net, long);
 
 }  // namespace epsnet::exact

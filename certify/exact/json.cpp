@@ -290,6 +290,15 @@ mpq_class to_rational(const Json& value) {
   return negative ? mpq_class(-result) : result;
 }
 
+mpz_class to_integer(const Json& value) {
+  std::string_view text = string_of(value, "an integer in a string");
+  const bool negative = take(text, '-');
+  const std::string_view digits = take_digits(text);
+  if (digits.empty() || !text.empty() || digits.size() > kMaxDigits) wrong(value, "an integer");
+  const mpz_class result = integer(digits);
+  return negative ? mpz_class(-result) : result;
+}
+
 mpq_class to_decimal(const Json& value) {
   const std::string& text = string_of(value, "a decimal in a string");
   if (text.find('/') != std::string::npos) return to_rational(value);

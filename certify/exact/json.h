@@ -43,6 +43,9 @@ struct Json::Member {
 /// "-?[0-9]+" or "-?[0-9]+/[0-9]+", of at most 10⁶ digits.
 [[nodiscard]] mpq_class to_rational(const Json& value);
 
+/// "-?[0-9]+", of at most 10⁶ digits.
+[[nodiscard]] mpz_class to_integer(const Json& value);
+
 /// A rational, or "-?[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]{1,4})?".
 [[nodiscard]] mpq_class to_decimal(const Json& value);
 

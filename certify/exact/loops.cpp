@@ -199,5 +199,6 @@ Isometry<R> Loops<R>::exact(const Loop& loop) const {
 
 template class Loops<mpz_class>;
 template class Loops<Algebraic>;
+template class Loops<FieldNumber>;
 
 }  // namespace epsnet::exact

@@ -184,5 +184,6 @@ class Loops {
 
 extern template class Loops<mpz_class>;
 extern template class Loops<Algebraic>;
+extern template class Loops<FieldNumber>;
 
 }  // namespace epsnet::exact

@@ -76,6 +76,11 @@ Isometry<R> NetRules<R>::value(const Isometry<R>& first, const std::vector<Index
 }
 
 template <class R>
+const std::vector<Isometry<R>>& NetRules<R>::crossings() {
+  return crossings_;
+}
+
+template <class R>
 void NetRules<R>::check_surface() {
   expect_connected_tiles();  // (d)
   const std::size_t cycles = check_tiles();
@@ -227,5 +232,6 @@ void NetRules<R>::check_thick() {
 
 template class NetRules<mpz_class>;
 template class NetRules<Algebraic>;
+template class NetRules<FieldNumber>;
 
 }  // namespace epsnet::exact

@@ -11,6 +11,7 @@
 #include "certify/exact/algebraic.h"
 #include "certify/exact/document.h"
 #include "certify/exact/net_structure.h"
+#include "certify/exact/number_field.h"
 #include "certify/exact/plane.h"
 #include "certify/exact/squared_sinh.h"
 
@@ -25,7 +26,7 @@ struct Rule {
 };
 
 /// A net and its rules. A rule may be asked if those before it are verified. The net must live as long. R is mpz_class
-/// if its tiles are rational, and Algebraic if they are regular.
+/// if its tiles are rational, Algebraic if they are regular, and FieldNumber if they are over a number field.
 template <class R>
 class NetRules : public NetStructure {
  public:
@@ -89,7 +90,7 @@ class NetRules : public NetStructure {
   /// Throws Refutation if the edge of a dart is shorter than twice the length whose sinh² is given.
   void expect_long(Index dart, const SquaredSinh& s);
 
-  std::unique_ptr<RealField> field_;    ///< Of regular tiles, once it was asked for.
+  std::shared_ptr<void> field_;         ///< To which the numbers belong, unless they are integers.
   std::vector<Isometry<R>> crossings_;  ///< By side.
   std::int64_t euler_ = 0;
   std::map<Index, Isometry<R>> labels_;
@@ -103,11 +104,12 @@ std::size_t NetRules<mpz_class>::check_tiles();
 template <>
 std::size_t NetRules<Algebraic>::check_tiles();
 template <>
-const std::vector<Isometry<mpz_class>>& NetRules<mpz_class>::crossings();
+std::size_t NetRules<FieldNumber>::check_tiles();
 template <>
 const std::vector<Isometry<Algebraic>>& NetRules<Algebraic>::crossings();
 
 extern template class NetRules<mpz_class>;
 extern template class NetRules<Algebraic>;
+extern template class NetRules<FieldNumber>;
 
 }  // namespace epsnet::exact

@@ -11,11 +11,6 @@
 /// What has no numbers: the structure of a net's document, and the rule `map`.
 namespace epsnet::exact {
 
-/// What is wrong with the claim.
-struct Refutation {
-  std::string what;
-};
-
 inline std::string number(std::size_t n) { return std::to_string(n); }
 
 [[nodiscard]] inline Index next(Index dart) { return dart % 3 == 2 ? dart - 2 : dart + 1; }
@@ -47,6 +42,7 @@ class NetStructure {
 
   /// Sides are numbered through all tiles.
   [[nodiscard]] std::size_t sides() const { return tile_of_.size(); }
+  [[nodiscard]] Index side(Index tile, Index k) const { return first_side_[tile] + k; }
   [[nodiscard]] Index tile_of(Index s) const { return tile_of_[s]; }
   [[nodiscard]] Index partner(Index s) const { return partner_[s]; }
   /// The vertex of its tile where a side starts.

@@ -28,23 +28,7 @@ std::string cuff_name(std::size_t i) { return "cuff " + number(i); }
 
 /// A positive multiple of the normal of an axis.
 template <class R>
-using AxisNormal = std::array<R, 3>;
-
-template <class R>
-R form(const AxisNormal<R>& u, const AxisNormal<R>& v) {
-  return u[0] * v[0] + u[1] * v[1] - u[2] * v[2];
-}
-
-template <class R>
-R determinant(const AxisNormal<R>& u, const AxisNormal<R>& v, const AxisNormal<R>& w) {
-  const auto minor = [&](std::size_t i, std::size_t j) { return R(v[i] * w[j] - v[j] * w[i]); };
-  return u[0] * minor(1, 2) + u[1] * minor(2, 0) + u[2] * minor(0, 1);
-}
-
-template <class R>
-std::size_t bits_of(const AxisNormal<R>& u) {
-  return bits(u[0]) + bits(u[1]) + bits(u[2]);
-}
+using AxisNormal = MinkowskiVector<R>;
 
 /// Of a motion with a positive trace: its axis, with the left of it.
 template <class R>
@@ -190,8 +174,8 @@ class PantsRules {
   /// Section 19.1, of normals n and m with ⟨n, m⟩ < 0 of axes that are disjoint: whether each axis is on the left of
   /// the other. If not, each is on the right.
   bool is_on_left(const std::string& what, const AxisNormal<R>& n, const AxisNormal<R>& m) {
-    spend(what, 3 * (bits_of(n) + bits_of(m)));
-    return sgn(R(form(n, n) * m[2] - form(n, m) * n[2])) < 0;
+    spend(what, 3 * (bits(n) + bits(m)));
+    return sgn(R(lorentz_product(n, n) * m.t - lorentz_product(n, m) * n.t)) < 0;
   }
 
   // Rule `glued`.
@@ -263,10 +247,10 @@ class PantsRules {
     const AxisNormal<R> n = normal_of(element_of(here));
     const AxisNormal<R> u = normal_of(next_element(here));
     const AxisNormal<R> v = normal_of(conjugated(across, next_element(there)));
-    spend("the twist of " + cuff_name(i), 4 * bits_of(n) + 2 * bits_of(u) + 2 * bits_of(v));
-    const R nn = form(n, n);
+    spend("the twist of " + cuff_name(i), 4 * bits(n) + 2 * bits(u) + 2 * bits(v));
+    const R nn = lorentz_product(n, n);
     const R sine = determinant(n, u, v);
-    const R c = form(u, n) * form(v, n) - form(u, v) * nn;
+    const R c = lorentz_product(u, n) * lorentz_product(v, n) - lorentz_product(u, v) * nn;
     const R s = nn * sine * sine;
     const Interval size = arsinh(sqrt(enclosure(s) / enclosure(R(c * c - s))));
     return sgn(sine) < 0 ? -size : size;
@@ -290,5 +274,6 @@ std::vector<Rule> pants_rules(const PantsDocument& document, NetRules<R>& net) {
 
 template std::vector<Rule> pants_rules(const PantsDocument& document, NetRules<mpz_class>& net);
 template std::vector<Rule> pants_rules(const PantsDocument& document, NetRules<Algebraic>& net);
+template std::vector<Rule> pants_rules(const PantsDocument& document, NetRules<FieldNumber>& net);
 
 }  // namespace epsnet::exact

@@ -188,5 +188,6 @@ std::vector<Piece> pieces(NetRules<R>& net, const Loops<R>& loops, const std::ve
 
 template std::vector<Piece> pieces(NetRules<mpz_class>&, const Loops<mpz_class>&, const std::vector<std::size_t>&);
 template std::vector<Piece> pieces(NetRules<Algebraic>&, const Loops<Algebraic>&, const std::vector<std::size_t>&);
+template std::vector<Piece> pieces(NetRules<FieldNumber>&, const Loops<FieldNumber>&, const std::vector<std::size_t>&);
 
 }  // namespace epsnet::exact

@@ -3,11 +3,11 @@
 #include <gmpxx.h>
 #include <utility>
 
-/// Points of the disk and isometries, exactly: R is a ring of real numbers, the integers for rational tiles and
-/// Algebraic for regular ones.
+/// Points of the disk and isometries, exactly: R is a ring of real numbers, the integers for rational tiles, Algebraic
+/// for regular ones, and FieldNumber for tiles over a number field.
 namespace epsnet::exact {
 
-// Integers that divide a number, and its size; Algebraic has the same functions.
+// Integers that divide a number, and its size; the other rings have the same functions.
 
 inline void take_common(const mpz_class& x, mpz_class& common) { common = gcd(common, x); }
 inline void divide(mpz_class& x, const mpz_class& divisor) { x /= divisor; }
@@ -64,14 +64,39 @@ Point<R> lowest_terms(Complex<R> n, R m) {
   return {std::move(n), std::move(m)};
 }
 
-/// The sign of det(X(u), X(v), X(w)), X(z) = (2 Re z, 2 Im z, 1 + |z|²): 1 for counterclockwise.
+/// A vector of Minkowski space up to a positive factor. If t > 0 and N = t² − x² − y² > 0, it is the point (x + iy)/(t
+/// + √N) of the disk.
+template <class R>
+struct MinkowskiVector {
+  R x;
+  R y;
+  R t;
+
+  friend R lorentz_product(const MinkowskiVector& u, const MinkowskiVector& v) {
+    return u.x * v.x + u.y * v.y - u.t * v.t;
+  }
+  /// Positive for points in counterclockwise order.
+  friend R determinant(const MinkowskiVector& u, const MinkowskiVector& v, const MinkowskiVector& w) {
+    const auto minor = [](const MinkowskiVector& p, const MinkowskiVector& q) { return R(p.x * q.y - p.y * q.x); };
+    return minor(u, v) * w.t + minor(v, w) * u.t + minor(w, u) * v.t;
+  }
+  /// Of vectors with t != 0: whether one is a multiple of the other.
+  friend bool are_parallel(const MinkowskiVector& u, const MinkowskiVector& v) {
+    return sgn(R(u.x * v.t - u.t * v.x)) == 0 && sgn(R(u.y * v.t - u.t * v.y)) == 0;
+  }
+  friend std::size_t bits(const MinkowskiVector& v) { return bits(v.x) + bits(v.y) + bits(v.t); }
+};
+
+/// (2 Re z, 2 Im z, 1 + |z|²) m².
+template <class R>
+MinkowskiVector<R> minkowski_vector(const Point<R>& z) {
+  return {2 * z.m * z.n.re, 2 * z.m * z.n.im, z.m * z.m + norm(z.n)};
+}
+
+/// 1 for counterclockwise.
 template <class R>
 int orientation(const Point<R>& u, const Point<R>& v, const Point<R>& w) {
-  const auto last = [](const Point<R>& z) { return R(z.m * z.m + norm(z.n)); };
-  const auto minor = [](const Point<R>& z, const Point<R>& other) {
-    return R((z.n.re * other.n.im - z.n.im * other.n.re) * z.m * other.m);
-  };
-  return sgn(R(minor(u, v) * last(w) + minor(v, w) * last(u) + minor(w, u) * last(v)));
+  return sgn(determinant(minkowski_vector(u), minkowski_vector(v), minkowski_vector(w)));
 }
 
 /// z ↦ (az + b)/(b̄z + ā), |a| > |b|; real multiples are the same.
@@ -92,6 +117,14 @@ struct Isometry {
   }
   friend std::size_t bits(const Isometry& f) { return bits(f.a) + bits(f.b); }
 };
+
+/// Lemma 9.4: the vector of the image.
+template <class R>
+MinkowskiVector<R> image(const Isometry<R>& f, const MinkowskiVector<R>& v) {
+  const Complex<R> w{v.x, v.y};
+  const Complex<R> z = f.a * f.a * w + R(2 * v.t) * (f.a * f.b) + f.b * f.b * conjugate(w);
+  return {z.re, z.im, (norm(f.a) + norm(f.b)) * v.t + 2 * (f.a * conjugate(f.b) * w).re};
+}
 
 /// z ↦ (z + c)/(1 + c̄z).
 template <class R>

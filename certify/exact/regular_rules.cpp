@@ -41,17 +41,18 @@ const std::vector<Isometry<Algebraic>>& NetRules<Algebraic>::crossings() {
     const auto [k, l] = k_and_l(s);
     half_turns = half_turns || (k + l) % 2 != 0;
   }
-  field_ = std::make_unique<RealField>(p, q, half_turns);
-  const auto n = static_cast<long>(field_->n());
-  const auto sine = [&](long k) { return field_->cosine(k - n / 4); };
+  const auto field = std::make_shared<RealField>(p, q, half_turns);
+  field_ = field;
+  const auto n = static_cast<long>(field->n());
+  const auto sine = [&](long k) { return field->cosine(k - n / 4); };
   const Algebraic cosh = sine(n / q);
-  const Algebraic sinh = field_->s();
+  const Algebraic sinh = field->s();
   for (Index s = 0; s < sides(); ++s) {
     const auto [k, l] = k_and_l(s);
     // 2e^{iπm/p}.
     const auto turn = [&, p = static_cast<long>(p)](long m) {
       const long angle = n / 2 * m / p;
-      return Complex<Algebraic>{field_->cosine(angle), sine(angle)};
+      return Complex<Algebraic>{field->cosine(angle), sine(angle)};
     };
     crossings_.push_back({Complex<Algebraic>{0, -cosh} * turn(l - k), Complex<Algebraic>{0, sinh} * turn(l + k)});
     reduce(crossings_.back());

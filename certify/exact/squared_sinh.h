@@ -6,6 +6,11 @@
 /// Numbers compared with sinh² of rational numbers.
 namespace epsnet::exact {
 
+/// What is wrong with the claim.
+struct Refutation {
+  std::string what;
+};
+
 /// A question that is too large for exact numbers, or too close for the digits used.
 struct TooLarge {
   std::string what;

@@ -70,7 +70,7 @@ class Field:
     def surface(self, tiles, gluing, crossings):
         assert self.changes_of_sign() == 1
         return {"kind": "field", "polynomial": [str(c) for c in self.polynomial], "root": self.root,
-                "tiles": [[self.written(vertex) for vertex in tile] for tile in tiles], "gluing": gluing,
+                "polygons": [[self.written(vertex) for vertex in tile] for tile in tiles], "gluing": gluing,
                 "crossings": [self.written(crossing) for crossing in crossings]}
 
 
@@ -85,6 +85,11 @@ def rows_of_crossing(g):
         a = Gaussian(0, 1)
     b = a.conjugate() * g.b
     return [a.re, a.im, b.re, b.im]
+
+
+def written_crossing(g):
+    """The row of a rational isometry, whatever the field is."""
+    return Field([0, 1], ["-1", "1"]).written([[x] for x in rows_of_crossing(g)])
 
 
 def over(field, document, factor, zero):
@@ -122,37 +127,39 @@ def field_reducible():
     return over(field, seed("octagon"), field.number(3, 2), field.number(-2, 0, 1))
 
 
+def octagon(field, x, y, t):
+    """The octagon with the vertices (x, −y, t), (x, y, t) and so on, with the symmetries of a square, opposite sides
+    glued: a crossing is the turn by π about the side's midpoint (X, Y, T) and then that about 0, (T, −X − iY)."""
+    def minus(row):
+        return [-c for c in row]
+
+    def plus(first, second):
+        return [a + b for a, b in zip(first, second)]
+
+    first, second = [x, minus(y)], [x, y]
+    tile = []
+    for _ in range(4):
+        tile += [[*first, t], [*second, t]]
+        first, second = [[minus(row[1]), row[0]] for row in (first, second)]
+    middles = [[plus(a, b) for a, b in zip(tile[k], tile[k + 1])] for k in range(4)]
+    return field.surface([tile], [[0, k, 0, k + 4] for k in range(4)],
+                         [[middle[2], field.number(0), minus(middle[0]), minus(middle[1])] for middle in middles])
+
+
 def field_bolza():
-    """The regular octagon with the angles π/4, α² = 2 + 2√2: cosh ρ = 1 + √2 = α²/2 and sinh ρ = α for its sides."""
+    """The regular octagon with the angles π/4. α² = 2 + 2√2: of a side cosh ρ = 1 + √2 and sinh ρ = α, and the vertex
+    at π/8 is tanh ρ (1, tan(π/8)) in the projective disk, tan(π/8) = √2 − 1 = 1/(1 + √2)."""
     field = Field([-4, 0, -4, 0, 1], ["2", "3"])
-    alpha = field.number(0, 1)
-    root2 = field.number(-1, 0, Fraction(1, 2))
-    zero, one = field.number(0), field.number(1)
+    tangent = field.number(-2, 0, Fraction(1, 2))
+    x = field.times(field.number(0, 1), tangent)
+    return dict(seed("regular"), surface=octagon(field, x, field.times(x, tangent), field.number(1)))
 
-    def minus(x):
-        return [-c for c in x]
 
-    def turned(row, k):
-        """(x, y) turned by kπ/4, with the factor √2 for odd k, and the rest with the same factor."""
-        x, y, *rest = row
-        if k % 2 == 1:
-            x, y = [a - b for a, b in zip(x, y)], [a + b for a, b in zip(x, y)]
-            rest = [field.times(root2, r) for r in rest]
-        for _ in range(k // 2):
-            x, y = minus(y), x
-        return [x, y, *rest]
-
-    # The first vertex is at −π/8: tanh ρ (1, −tan(π/8)) in the projective disk, tan(π/8) = √2 − 1 = 1/(1 + √2).
-    tangent = [a - b for a, b in zip(root2, one)]
-    x = field.times(alpha, tangent)
-    first = [x, minus(field.times(x, tangent)), one]
-    cosh = field.number(0, 0, Fraction(1, 2))
-    gluing = [[0, k, 0, k + 4] for k in range(4)]
-    crossings = []
-    for k in range(4):
-        re, im, a = turned([minus(alpha), zero, cosh], k)
-        crossings.append([a, zero, re, im])
-    return dict(seed("regular"), surface=field.surface([[turned(first, k) for k in range(8)]], gluing, crossings))
+def right_angled_octagon():
+    """The regular octagon with right angles, α⁴ = 2: tanh ρ = 1/α, and √2 = α²."""
+    field = Field([-2, 0, 0, 0, 1], ["1", "2"])
+    x = field.number(0, 0, 0, Fraction(1, 2))
+    return octagon(field, x, field.times(x, field.number(-1, 0, 1)), field.number(1))
 
 
 def lines(value, depth):
@@ -164,7 +171,7 @@ def lines(value, depth):
 
 def text(document):
     def members(value):
-        depths = {"tiles": 2, "gluing": 1, "crossings": 1, "charts": 1, "labels": 1, "vertices": 1, "triangles": 1}
+        depths = {"polygons": 2, "gluing": 1, "crossings": 1, "charts": 1, "labels": 1, "vertices": 1, "triangles": 1}
         return "{" + ",\n".join(json.dumps(k) + ":" + (members(v) if isinstance(v, dict) else lines(v, depths.get(k, 0)))
                                 for k, v in value.items()) + "}"
     return members(document) + "\n"

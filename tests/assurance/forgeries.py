@@ -26,8 +26,10 @@ from fractions import Fraction
 
 sys.dont_write_bytecode = True  # Nothing is written beside the sources.
 
-from forgeries_plane import (ONE, Gaussian, Mesh, Surface, arsinh_sqrt, following, net_of_tiles, orientation, point,
-                             preceding, rational, sinh2_circumradius, sinh2_half, translation_to, written_point)
+from field_surfaces import right_angled_octagon, written_crossing
+from forgeries_plane import (ONE, ZERO, Gaussian, Isometry, Mesh, Surface, arsinh_sqrt, following, net_of_tiles,
+                             orientation, point, preceding, rational, sinh2_circumradius, sinh2_half, translation_to,
+                             written_point)
 
 if hasattr(sys, "set_int_max_str_digits"):
     sys.set_int_max_str_digits(0)
@@ -142,6 +144,23 @@ def edge_of(mesh):
 def parity(side):
     """A crossing of sides 0 and 4 of an octagon with opposite sides glued: a homomorphism to the integers."""
     return {0: 1, 4: -1}.get(side, 0)
+
+
+def field(name="bolza", **changes):
+    """A net on a surface over a number field, with members of the surface changed."""
+    document = seed("field-" + name)
+    document["surface"].update(changes)
+    return document
+
+
+def on_field(net):
+    """A net on the regular surface of genus 2, on the same octagon over a number field."""
+    return with_(net, surface=field()["surface"])
+
+
+def multiple(factor, row):
+    """A row of numbers of a field, all times an integer."""
+    return [[str(factor * int(c)) for c in x] for x in row]
 
 
 def tiled_octagon():
@@ -728,6 +747,30 @@ def kind_of_both():
     return document
 
 
+@malformed("surface.polynomial")
+def field_polynomial_with_a_leading_2():
+    """The polynomial is not monic: numbers of the field would not be integers, and divisors of it neither."""
+    return field(polynomial=["-4", "0", "-4", "0", "2"])
+
+
+@malformed("surface.polynomial")
+def field_polynomial_of_degree_65():
+    """x⁶⁵ − 2."""
+    return field(polynomial=["-2"] + ["0"] * 64 + ["1"], root=["1", "2"])
+
+
+@malformed("surface.root")
+def field_interval_from_the_right_to_the_left():
+    """The ends of the interval exchanged."""
+    return field(root=["3", "2"])
+
+
+@malformed("surface.crossings")
+def field_crossing_missing():
+    """Three crossings for four rows of the gluing."""
+    return field(crossings=seed("field-bolza")["surface"]["crossings"][:3])
+
+
 # ---- Surface -----------------------------------------------------------------------------------------------------
 
 group = "surface"
@@ -984,6 +1027,98 @@ def sides_glued_to_the_wrong_ones():
     """Sides are glued as commutators, to a surface of genus 2 with one corner, but they are not of equal length."""
     document = octagon()
     document["surface"]["gluing"] = [[0, 0, 0, 2], [0, 1, 0, 3], [0, 4, 0, 6], [0, 5, 0, 7]]
+    return document
+
+
+@refuted("surface")
+def field_crossing_with_another_sign():
+    """The imaginary part of B of the crossing of side 3, of the regular octagon over a number field, with another sign:
+    an isometry of the same length."""
+    document = field()
+    row = document["surface"]["crossings"][3]
+    row[3:] = multiple(-1, row[3:])
+    return document
+
+
+@refuted("surface")
+def field_crossing_that_takes_one_end_to_its_place():
+    """The crossing of side 0 followed by a turn about the end of side 4, where the start of side 0 goes."""
+    document = field("octagon")
+    surface = Surface(octagon()["surface"])
+    to_end = translation_to(surface.ends(4)[1])
+    turn = to_end.after(Isometry(Gaussian(Fraction(3, 5), Fraction(4, 5)), ZERO, ZERO)).after(to_end.inverse())
+    document["surface"]["crossings"][0] = written_crossing(turn.after(surface.crossing(0)))
+    return document
+
+
+@refuted("surface")
+def field_crossing_inside_out():
+    """A and B exchanged: it takes the disk to its outside."""
+    document = field()
+    row = document["surface"]["crossings"][1]
+    document["surface"]["crossings"][1] = row[2:] + row[:2]
+    return document
+
+
+@refuted("surface")
+def field_vertex_outside_of_the_light_cone():
+    """A vertex with X² + Y² > T²."""
+    document = field()
+    document["surface"]["polygons"][0][5][2] = ["1"]
+    return document
+
+
+@refuted("surface")
+def field_vertex_on_the_light_cone():
+    """A vertex with X² + Y² = T², at infinity."""
+    document = field()
+    document["surface"]["polygons"][0][5] = [["0", "-3"], ["0", "-4"], ["0", "5"]]
+    return document
+
+
+@refuted("surface")
+def field_vertex_in_the_past():
+    """A vertex times −1."""
+    document = field()
+    tile = document["surface"]["polygons"][0]
+    tile[5] = multiple(-1, tile[5])
+    return document
+
+
+@refuted("surface")
+def field_of_another_root():
+    """The octagon over ℚ(√2) written with multiples of x² − 2, where (x² − 2)(x² − 3) is 0, but the root is √3."""
+    return field("reducible", root=["3/2", "2"])
+
+
+@forgery("UNDECIDED: surface")
+def field_interval_of_two_roots():
+    """The interval contains √2 and √3, two roots of (x² − 2)(x² − 3)."""
+    return field("reducible", root=["1", "2"])
+
+
+@refuted("surface")
+def field_interval_without_a_root():
+    """The interval begins just above √2: 10⁻⁶⁰ farther."""
+    with localcontext() as context:
+        context.prec = 100
+        low = Fraction(to_60_digits(Decimal(2).sqrt(), 1))
+    return field("octagon", root=[rational(low), "2"])
+
+
+@refuted("surface", says="2 full turns")
+def field_cone_angle_of_4_pi():
+    """The regular octagon with right angles, over ℚ(2^(1/4)): its one vertex has the angle 4π, all else is right."""
+    return with_(field(), surface=right_angled_octagon())
+
+
+@refuted("surface", says="connected")
+def field_two_surfaces():
+    """Two octagons, each glued to itself; the net is on the first."""
+    document = field()
+    document["surface"]["polygons"] *= 2
+    document["surface"]["gluing"] += [[1, k, 1, k + 4] for k in range(4)]
+    document["surface"]["crossings"] *= 2
     return document
 
 
@@ -1325,6 +1460,12 @@ def label_of_a_regular_surface():
     return with_word(seed("regular-of-one-vertex"), lambda word: [(word[0] + 1) % 8] + word[1:])
 
 
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def field_label():
+    """The same on the regular octagon over a number field."""
+    return on_field(label_of_a_regular_surface())
+
+
 # ---- Orientation -------------------------------------------------------------------------------------------------
 
 group = "orientation"
@@ -1536,6 +1677,12 @@ def tie_of_a_regular_surface_missed():
     return document
 
 
+@refuted("delaunay")
+def field_tie_missed():
+    """The same on the regular octagon over a number field."""
+    return on_field(tie_of_a_regular_surface_missed())
+
+
 @refuted("delaunay", also=["covering"])
 def packing_hidden_by_a_flip():
     """Two vertices nearer than ε, not joined as their edge is flipped away: every edge is at least ε long."""
@@ -1637,6 +1784,12 @@ def epsilon_1e_60_less_than_the_radius_of_the_regular_octagon():
     return with_(seed("regular-of-one-vertex"), epsilon=to_60_digits(regular_radius()))
 
 
+@refuted("covering")
+def field_epsilon_1e_60_less_than_the_radius():
+    """The same for the regular octagon over a number field."""
+    return on_field(epsilon_1e_60_less_than_the_radius_of_the_regular_octagon())
+
+
 def regular_radius():
     with localcontext() as context:
         context.prec = 100
@@ -1733,6 +1886,12 @@ def narrow_collar_as_a_net():
 def epsilon_more_than_the_edges_of_a_regular_surface():
     """A net of the regular surface whose ε exceeds its shortest edge by less than 10⁻¹⁵."""
     return with_(seed("regular"), epsilon="1.52857091948099")
+
+
+@refuted("packing")
+def field_epsilon_more_than_the_edges():
+    """The same on the regular octagon over a number field."""
+    return on_field(epsilon_more_than_the_edges_of_a_regular_surface())
 
 
 # ---- Collars -----------------------------------------------------------------------------------------------------
@@ -3717,6 +3876,40 @@ def regular_as_it_is():
 
 
 @disguise()
+def field_octagon_as_it_is():
+    """The octagon over ℚ(√2), which is rational but for factors."""
+    return field("octagon")
+
+
+@disguise()
+def field_reducible_as_it_is():
+    """The same, where numbers that are 0 are not written as 0: x² − 2, √2 a root of (x² − 2)(x² − 3)."""
+    return field("reducible")
+
+
+@disguise()
+def field_bolza_as_it_is():
+    """The regular octagon over the field of √(2 + 2√2)."""
+    return field()
+
+
+@disguise()
+def field_with_another_root_at_an_end():
+    """√2 as the root between 1 and 2 of (x − 1)(x − 2)(x² − 2)."""
+    return field("octagon", polynomial=["-4", "6", "0", "-3", "1"], root=["1", "2"])
+
+
+@disguise()
+def field_vectors_of_other_sizes():
+    """A vertex times 10⁶⁰ and a crossing times −7: the same point and isometry."""
+    document = field()
+    tile, crossings = document["surface"]["polygons"][0], document["surface"]["crossings"]
+    tile[2] = multiple(10**60, tile[2])
+    crossings[2] = multiple(-7, crossings[2])
+    return document
+
+
+@disguise()
 def triangles_as_tiles():
     """The net's own triangles are the tiles."""
     tiles, opposite, _ = tiled_octagon()
@@ -3934,6 +4127,12 @@ def epsilon_1e_60_less_than_the_shortest_edge():
 def epsilon_1e_60_more_than_the_radius_of_the_regular_octagon():
     """ε is the circumradius of the regular octagon, rounded up after 60 digits."""
     return with_(seed("regular-of-one-vertex"), epsilon=to_60_digits(regular_radius(), 1))
+
+
+@disguise()
+def field_epsilon_1e_60_more_than_the_radius():
+    """The same for the regular octagon over a number field."""
+    return on_field(epsilon_1e_60_more_than_the_radius_of_the_regular_octagon())
 
 
 @disguise()
