@@ -360,14 +360,12 @@ MaybeObjection root_problem(const SurfaceDocument::Field& field, const Budget& b
     size += field.polynomial.size() * (mpz_sizeinbase(end.get_num_mpz_t(), 2) + mpz_sizeinbase(end.get_den_mpz_t(), 2));
   }
   budget.spend(8 * product_work(size), field.polynomial.size() * field.polynomial.size());
-  const std::size_t changes = sign_changes(field.polynomial, lower, upper);
+  const std::size_t changes = count_roots(field.polynomial, lower, upper).changes;
   if (changes == 0) return Objection("the polynomial has no root in the interval");
-  if (sign_at(field.polynomial, lower) * sign_at(field.polynomial, upper) >= 0) {
-    return Objection("the polynomial does not have different signs at the ends of the interval of its root");
-  }
   if (changes == 1) return std::nullopt;
-  return Objection("the polynomial may have more than one root in the interval, in which a shorter one decides",
-                   Verdict::undecided);
+  return Objection(
+      "the polynomial may have more than one root in the interval: a shorter one around a simple root decides",
+      Verdict::undecided);
 }
 
 SurfaceOutcome check_over_field(const SurfaceDocument& surface, unsigned threads, const Budget& budget) {

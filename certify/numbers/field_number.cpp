@@ -78,7 +78,7 @@ int sign_in_balls(const NumberField& field, const Polynomial& x, slong precision
 
 }  // namespace
 
-std::size_t sign_changes(const std::vector<mpz_class>& f, const mpq_class& lower, const mpq_class& upper) {
+RootCount count_roots(const std::vector<mpz_class>& f, const mpq_class& lower, const mpq_class& upper) {
   // With L = l/m and U = u/m the coefficients are those of Σ f_i (l + ux)^i (m + mx)^(d − i), up to m^d.
   const mpz_class m = lcm(lower.get_den(), upper.get_den());
   const Polynomial ends =
@@ -91,16 +91,21 @@ std::size_t sign_changes(const std::vector<mpz_class>& f, const mpq_class& lower
     result = sum(std::move(result), multiple(f[i], power));
     fmpz_poly_mul(power.get(), power.get(), scale.get());
   }
-  std::size_t changes = 0;
+  RootCount count;
   int last = 0;
   for (slong i = 0; i < fmpz_poly_length(result.get()); ++i) {
     const int sign = fmpz_sgn(fmpz_poly_get_coeff_ptr(result.get(), i));
     if (sign == 0) continue;
-    if (sign == -last) ++changes;
+    if (last == 0) count.first_sign = sign;
+    if (sign == -last) ++count.changes;
     last = sign;
   }
-  return changes;
+  return count;
 }
+
+namespace {
+
+/// Of f(x).
 
 int sign_at(const std::vector<mpz_class>& f, const mpq_class& x) {
   mpz_class value;
@@ -112,11 +117,13 @@ int sign_at(const std::vector<mpz_class>& f, const mpq_class& x) {
   return sgn(value);
 }
 
+}  // namespace
+
 NumberField::NumberField(const std::vector<mpz_class>& f, const std::array<mpq_class, 2>& between, Budget budget)
     : f_(polynomial(f)), budget_(std::move(budget)) {
   fmpz_poly_derivative(derivative_.get(), f_.get());
   auto [lower, upper] = between;
-  const int at_lower = sign_at(f, lower);
+  const int below = count_roots(f, lower, upper).first_sign;
   // Bisection, until the derivative hardly changes between the two.
   for (slong bits = kFirstRootBits;; ++bits) {
     const Precision scope(4 * bits);
@@ -130,8 +137,8 @@ NumberField::NumberField(const std::vector<mpz_class>& f, const std::array<mpq_c
                                            mpz_sizeinbase(middle.get_num_mpz_t(), 2))),
                   f.size());
     const int at_middle = sign_at(f, middle);
-    if (at_middle != -at_lower) lower = middle;
-    if (at_middle != at_lower) upper = middle;
+    if (at_middle != -below) lower = middle;
+    if (at_middle != below) upper = middle;
   }
 }
 

@@ -18,19 +18,21 @@
 /// The polynomial need not be irreducible (docs/proof.md, Lemma 9.3).
 namespace epsnet::certify {
 
-/// How often the coefficients of (1 + x)^d f((lower + upper·x)/(1 + x)) change their sign, d the degree of f: 1 says
-/// that f has one root between the two, a simple one, and 0 that it has none (Lemma 9.2). `f` has the coefficients of f
-/// from that of 1 on.
-[[nodiscard]] std::size_t sign_changes(const std::vector<mpz_class>& f, const mpq_class& lower, const mpq_class& upper);
+/// What Descartes' rule of signs says of the roots between two numbers.
+struct RootCount {
+  std::size_t changes = 0;  ///< 1: there is one, which is simple; 0: there is none (Lemma 9.2).
+  int first_sign = 0;       ///< Of the polynomial between the lower number and the least of these roots.
+};
 
-/// f(x) > 0, f(x) = 0 or f(x) < 0.
-[[nodiscard]] int sign_at(const std::vector<mpz_class>& f, const mpq_class& x);
+/// Of the coefficients of (1 + x)^d f((lower + upper·x)/(1 + x)), d the degree of f. `f` has the coefficients of f from
+/// that of 1 on.
+[[nodiscard]] RootCount count_roots(const std::vector<mpz_class>& f, const mpq_class& lower, const mpq_class& upper);
 
 /// ℤ[α]. Arithmetic and `sign` take their work off the budget; BudgetSpent, if that is too much. For any number of
 /// threads.
 class NumberField {
  public:
-  /// α is the root of f between the two, where f has one change of signs and different signs. f is monic.
+  /// α is the root of f between the two, of which count_roots says that there is one. f is monic.
   NumberField(const std::vector<mpz_class>& f, const std::array<mpq_class, 2>& between, Budget budget = {});
 
   [[nodiscard]] std::size_t degree() const { return static_cast<std::size_t>(fmpz_poly_degree(f_.get())); }

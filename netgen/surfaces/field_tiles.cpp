@@ -55,8 +55,7 @@ class Rounder {
 
 void check_root(const Field& tiles) {
   const auto& [lower, upper] = tiles.root;
-  if (certify::sign_changes(tiles.polynomial, lower, upper) != 1 ||
-      certify::sign_at(tiles.polynomial, lower) * certify::sign_at(tiles.polynomial, upper) >= 0) {
+  if (certify::count_roots(tiles.polynomial, lower, upper).changes != 1) {
     throw SurfaceError("the interval does not isolate a root of the polynomial: give a shorter one around the root");
   }
 }

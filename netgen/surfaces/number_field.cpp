@@ -556,10 +556,7 @@ certify::SurfaceDocument::Field NumberFieldReader::field() const {
     result.root = {mpq_class(mpz_class(floor.value() - 1), scale), mpq_class(mpz_class(floor.value() + 2), scale)};
     for (mpq_class& end : result.root) end.canonicalize();
     const auto& [lower, upper] = result.root;
-    if (certify::sign_changes(result.polynomial, lower, upper) == 1 &&
-        certify::sign_at(result.polynomial, lower) * certify::sign_at(result.polynomial, upper) < 0) {
-      return result;
-    }
+    if (certify::count_roots(result.polynomial, lower, upper).changes == 1) return result;
   }
 }
 
