@@ -510,13 +510,14 @@ void add_matrices(CLI::App& surface, Job& chosen) {
   const auto request = std::make_shared<FileRequest>();
   CLI::App* command = surface.add_subcommand(
       "matrices",
-      "The surface of the group that matrices in SL(2,R) or SU(1,1) generate: exactly that of rational matrices, "
-      "or of matrices with roots and cosines that belong to a map; or the nearest exact one to decimals. Torsion, "
+      "The surface of the group that matrices in SL(2,R) or SU(1,1) generate: exactly that of matrices whose entries "
+      "are rational or in a real number field, or the nearest exact one to decimals. Torsion, "
       "groups that are not discrete or not cocompact are errors that name an "
       "element.");
-  add_input(*command, "FILE", request->file,
-            "a matrix a b c d in each line, or JSON, with or without a relation; with a line \"tiles p q\" numbers "
-            "such as sqrt(2) and cos(pi/7) (docs/exchange-formats.md)");
+  add_input(
+      *command, "FILE", request->file,
+      "a matrix a b c d in each line, or JSON, with or without a relation; numbers such as 2/3, sqrt(2), cos(pi/7) "
+      "and root(x^3-x-1,1.3); with a line \"algebra a b\" quaternions x y z w (docs/exchange-formats.md)");
   add_surface_output(*command, *request);
   command->footer(
       "Exit code 2: undecided, as no fundamental domain was found within the limits, or "

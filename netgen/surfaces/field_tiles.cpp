@@ -132,6 +132,14 @@ FieldTiles::FieldTiles(Field tiles, const std::vector<Gluing>& gluing)
   }
 }
 
+Mp1024 FieldTiles::root() const {
+  // Modulo f, which is x − α for a rational α.
+  certify::Polynomial x;
+  fmpz_poly_set_coeff_si(x.get(), 1, 1);
+  field.reduce(x);
+  return Mp1024(Rounder(field)(FieldNumber{&field, x}));
+}
+
 Surface surface_over_field(Field tiles, std::vector<Gluing> gluing) {
   check_root(tiles);
   const auto exact = std::make_shared<const FieldTiles>(std::move(tiles), gluing);

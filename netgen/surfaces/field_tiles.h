@@ -17,6 +17,8 @@ struct FieldTiles {
 
   /// Requires: a document as files have it, with an interval that isolates the root; indices of sides that there are.
   FieldTiles(certify::SurfaceDocument::Field tiles, const std::vector<Gluing>& gluing);
+  /// α.
+  [[nodiscard]] Mp1024 root() const;
   FieldTiles(const FieldTiles&) = delete;
   FieldTiles& operator=(const FieldTiles&) = delete;
 };

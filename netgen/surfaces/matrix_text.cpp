@@ -12,7 +12,9 @@
 #include "netgen/base/json_text.h"
 #include "netgen/surfaces/field_matrices.h"
 #include "netgen/surfaces/field_numbers.h"
+#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/number_field.h"
 #include "netgen/surfaces/one_relator.h"
 #include "netgen/surfaces/triangle_group.h"
 #include "triangulation/surface/exact_points.h"
@@ -47,6 +49,7 @@ class MatrixReader {
       read_lines(text);
     }
     if (entries_.empty()) fail("no generators found, expected at least one");
+    if (!algebra_.empty()) split_quaternions();
     if (result_.tile || !all_rational()) {
       result_.numbers = entries_;
     } else {
@@ -160,6 +163,8 @@ class MatrixReader {
       const std::string place = "line " + std::to_string(number_of_line);
       if (words[0] == "model" && words.size() == 2) {
         set_model(words[1]);
+      } else if (words[0] == "algebra" && words.size() == 3) {
+        algebra_ = {words[1], words[2]};
       } else if (words[0] == "relation") {
         const bool is_number = words.size() > 1 && std::isalpha(static_cast<unsigned char>(words[1][0])) == 0;
         for (std::size_t i = 1; i < words.size(); ++i)
@@ -170,7 +175,7 @@ class MatrixReader {
         add(words, place);
       } else {
         fail(place + ": " + std::to_string(words.size()) + " words found, expected the four numbers of a matrix, " +
-             "\"model sl2r\", \"model su11\", \"tiles p q\" or \"relation\" and its letters");
+             "\"model sl2r\", \"model su11\", \"algebra a b\", \"tiles p q\" or \"relation\" and its letters");
       }
     }
   }
@@ -204,6 +209,12 @@ class MatrixReader {
         if (name == "model") {
           expect_string(json, "model");
           set_model(json.string());
+        } else if (name == "algebra") {
+          algebra_.clear();
+          expect_array(json, "algebra");
+          json.elements([&](std::size_t) { algebra_.push_back(number_text(json)); });
+          if (algebra_.size() != 2)
+            fail("algebra: " + std::to_string(algebra_.size()) + " numbers found, expected [a, b]");
         } else if (name == "tiles") {
           expect_array(json, "tiles");
           std::vector<std::string> pq;
@@ -233,6 +244,59 @@ class MatrixReader {
     }
   }
 
+  /// Numbers may be strings, as fractions have to be.
+  static std::string number_text(certify::Json& json) {
+    return std::string(json.next() == '"' ? json.string() : json.token());
+  }
+
+  /// Quaternions x + yi + zj + wij, i² = a > 0 and j² = b, become the matrices x + y√a, z + w√a; b(z − w√a), x − y√a.
+  /// If a < 0, i and j change their parts.
+  void split_quaternions() {
+    if (result_.tile || result_.model != MatrixModel::sl2r)
+      fail("algebra: expected neither tiles nor model su11 beside it");
+    bool exchanged = false;
+    if (!has_root(algebra_[0])) {
+      exchanged = true;
+      std::swap(algebra_[0], algebra_[1]);
+      if (!has_root(algebra_[0])) {
+        fail("algebra: " + certify::in_quotes(algebra_[1]) + " and " + certify::in_quotes(algebra_[0]) +
+             " found, expected a positive number: the algebra is that of a group of the hyperbolic plane");
+      }
+    }
+    const std::string root = "sqrt(" + algebra_[0] + ")";
+    for (auto& [x, y, z, w] : entries_) {
+      if (exchanged) {
+        std::swap(y, z);
+        w = "-(" + w + ")";
+      }
+      const auto combined = [&](const std::string& one, const char* sign, const std::string& other) {
+        return "(" + one + ")" + sign + "(" + other + ")*" + root;
+      };
+      std::array<std::string, 4> matrix{combined(x, "+", y), combined(z, "+", w),
+                                        "(" + algebra_[1] + ")*(" + combined(z, "-", w) + ")", combined(x, "-", y)};
+      x = std::move(matrix[0]);
+      y = std::move(matrix[1]);
+      z = std::move(matrix[2]);
+      w = std::move(matrix[3]);
+    }
+  }
+
+  /// Whether a number is positive.
+  static bool has_root(const std::string& number) {
+    NumberFieldReader reader;
+    try {
+      reader.add(number);
+    } catch (const SurfaceError& error) {
+      fail(std::string("algebra: ") + error.what());
+    }
+    try {
+      reader.add("sqrt(" + number + ")");
+      return true;
+    } catch (const SurfaceError&) {
+      return false;
+    }
+  }
+
   static void expect_string(certify::Json& json, const std::string& place) {
     if (json.next() != '"') fail(place + ": " + json.found() + " found, expected a string");
   }
@@ -251,8 +315,7 @@ class MatrixReader {
       std::size_t columns = 0;
       json.elements([&](std::size_t) {
         ++columns;
-        // Numbers may be strings, as fractions have to be.
-        entries.emplace_back(json.next() == '"' ? json.string() : json.token());
+        entries.push_back(number_text(json));
       });
       if (columns != 2) fail(place + ": " + std::to_string(columns) + " numbers in a row, expected 2");
     });
@@ -265,7 +328,8 @@ class MatrixReader {
 
   MatrixGenerators result_;
   std::vector<std::array<std::string, 4>> entries_;
-  std::vector<std::string> places_;  ///< Of entries.
+  std::vector<std::string> places_;   ///< Of entries.
+  std::vector<std::string> algebra_;  ///< a and b, if entries are quaternions.
 };
 
 /// The four numbers of a matrix, as its text has them.
@@ -286,15 +350,56 @@ Json rounded_json(const Isometry<Mp1024>& f, MatrixModel model) {
   return matrix_json(f, model, [](const Mp1024& x) { return x.str(kDigits, std::ios_base::fmtflags{}); });
 }
 
-/// The numbers of a matrix, exactly, up to a positive factor.
-Json field_matrix_json(const TriangleGroup::ExactElement& f, MatrixModel model) {
-  const auto x = [](const certify::RegularNumber& z) { return certify::twice_real(z); };
-  const auto y = [](const certify::RegularNumber& z) { return certify::twice_imaginary(z); };
+/// The numbers of a matrix, exactly, up to a positive factor; texts(numbers) writes real ones.
+template <class Number, class Texts>
+Json irrational_matrix_json(const certify::Isometry<Number>& f, MatrixModel model, const Texts& texts) {
+  const auto x = [](const Number& z) { return twice_real(z); };
+  const auto y = [](const Number& z) { return twice_imaginary(z); };
   const std::vector<std::string> e =
       model == MatrixModel::su11
-          ? field_texts({x(f.a), y(f.a), x(f.b), y(f.b)})
-          : field_texts({x(f.a) + x(f.b), y(f.a) - y(f.b), mpz_class(-1) * (y(f.a) + y(f.b)), x(f.a) - x(f.b)});
+          ? texts({x(f.a), y(f.a), x(f.b), y(f.b)})
+          : texts({x(f.a) + x(f.b), y(f.a) - y(f.b), mpz_class(-1) * (y(f.a) + y(f.b)), x(f.a) - x(f.b)});
   return Json::array({Json::array({e[0], e[1]}), Json::array({e[2], e[3]})});
+}
+
+/// A polynomial with these coefficients, in the variable or number of this name.
+std::string polynomial_text(const std::vector<mpz_class>& coefficients, const std::string& name) {
+  std::string text;
+  for (std::size_t k = coefficients.size(); k-- > 0;) {
+    const mpz_class& c = coefficients[k];
+    if (c == 0) continue;
+    if (c > 0 && !text.empty()) text += "+";
+    if (k == 0 || abs(c) != 1) {
+      text += c.get_str() + (k > 0 ? "*" : "");
+    } else if (c < 0) {
+      text += "-";
+    }
+    if (k > 0) text += name + (k > 1 ? "^" + std::to_string(k) : "");
+  }
+  return text.empty() ? "0" : text;
+}
+
+/// "root(f,r)": α, which is nearer to r than to any other root.
+std::string root_text(const FieldTiles& tiles) {
+  constexpr int kDigits = 40;
+  return "root(" + polynomial_text(tiles.document.polynomial, "x") + "," +
+         tiles.root().str(kDigits, std::ios_base::fixed) + ")";
+}
+
+/// Real numbers of a field as polynomials in the number of this name.
+std::vector<std::string> number_texts(const std::vector<certify::FieldNumber>& numbers, const std::string& name) {
+  std::vector<std::vector<mpz_class>> coefficients;
+  mpz_class divisor;
+  for (const certify::FieldNumber& x : numbers) {
+    coefficients.push_back(coefficients_of(x));
+    for (const mpz_class& c : coefficients.back()) divisor = gcd(divisor, c);
+  }
+  std::vector<std::string> result;
+  for (std::vector<mpz_class>& x : coefficients) {
+    for (mpz_class& c : x) c /= divisor;
+    result.push_back(polynomial_text(x, name));
+  }
+  return result;
 }
 
 }  // namespace
@@ -309,6 +414,7 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
   Json rounded = Json::array();
   Json relation = Json::array();
   Json words = Json::array();
+  const std::string root = surface.field_tiles() ? root_text(*surface.field_tiles()) : "";
   std::optional<TriangleGroup> tiling;
   if (surface.is_regular()) tiling.emplace(*surface.regular_tile());
   std::vector<std::int32_t> letter(polygon.sides.size());
@@ -324,7 +430,13 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
         f = {{Mp1024(1), Mp1024(0)}, {Mp1024(0), Mp1024(0)}};
         for (const SideId s : word) f = surface.crossing_as<Mp1024>(s) * f;
         f = normalized(f);
-        exact.push_back(field_matrix_json(tiling->element(walk_of(surface, word)), model));
+        exact.push_back(irrational_matrix_json(tiling->element(walk_of(surface, word)), model, field_texts));
+      } else if (surface.field_tiles()) {
+        const certify::Isometry<certify::FieldNumber> isometry = field_isometry(surface, word);
+        f = rounded_isometry<Mp1024>(isometry);
+        exact.push_back(irrational_matrix_json(isometry, model, [&](const std::vector<certify::FieldNumber>& numbers) {
+          return number_texts(numbers, root);
+        }));
       } else {
         const Isometry<Rational> isometry = exact_isometry(surface, word);
         f = normalized(convert<Mp1024>(isometry));

@@ -172,8 +172,9 @@ class Surface(Immutable):
         ``generators``: for the model ``"sl2r"`` matrices ((a, b), (c, d)) with a positive determinant, up to scale; for ``"su11"`` the first row
         ((Re a, Im a), (Re b, Im b)). Integers, fractions and texts such as ``"1/3"`` are exact, and then the group is exactly that of the matrices.
         Floats and decimals are rounded numbers: unless they fulfil the relations of the group exactly, the surface is a rational one nearest to
-        them, and ``about`` says how far it is. With ``tiles``, the pair (p, q), texts such as ``"(1+sqrt(2))/2"`` and ``"s*cos(pi/7)"`` are exact,
-        too, for the groups of maps of this type. ``relation``: ``"abAB"`` or ``[1, 2, -1, -2]``, a product that is 1; it is checked.
+        them, and ``about`` says how far it is. Texts such as ``"(1+sqrt(2))/2"``, ``"cos(pi/7)"`` and ``"root(x^3-x-1,1.3)"`` are exact numbers of
+        a real number field, and so is the surface. With ``tiles``, the pair (p, q), the numbers are those of maps of this type, as
+        ``"s*cos(pi/7)"``. ``relation``: ``"abAB"`` or ``[1, 2, -1, -2]``, a product that is 1; it is checked.
         Raises SurfaceError, with the element that shows it, for groups that are not discrete, not cocompact, or have torsion.
 
         >>> import epsnet
