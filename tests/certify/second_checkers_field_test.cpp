@@ -284,8 +284,8 @@ TEST(SecondCheckersField, MalformedSurfaces) {
   EXPECT_EQ(message_of(R"(["0","-4","0","1"])", R"(["0","-4","0","1","0"])"),
             "a number of the field: not 1 to 4 integers");
   EXPECT_EQ(message_of(R"([["0","-4","0","1"],)", "["), "a vertex of a tile: expected 3 elements");
-  EXPECT_EQ(message_of(R"([["0","0","1"],["0"],["0","-2"],["0"]],)", ""), "crossings: not one for each row of gluing");
-  EXPECT_EQ(message_of(R"(["0","0","1"],["0"],["0","-2"],["0"])", R"(["0"])"), "a crossing: expected 4 elements");
+  EXPECT_EQ(message_of(R"([["2"],["0"],["0","4","0","-1"],["0"]],)", ""), "crossings: not one for each row of gluing");
+  EXPECT_EQ(message_of(R"(["2"],["0"],["0","4","0","-1"],["0"])", R"(["0"])"), "a crossing: expected 4 elements");
   EXPECT_EQ(message_of("\"crossings\":", "\"crossing\":"), "unknown member \"crossing\"");
   EXPECT_EQ(message_of(R"("root":["2","3"],)", ""), "no member \"root\"");
   EXPECT_EQ(message_of("[0,3,0,7]", "[0,3,0,6]"), "a side is glued twice");
@@ -319,7 +319,7 @@ Net octagon(const Polynomial& f, const mpq_class& lower, const mpq_class& upper,
   for (Index k = 0; k < 4; ++k) {
     net.gluing.push_back({0, k, 0, k + 4});
     const auto middle = [&](std::size_t i) { return sum(tile[k].at(i), 1, tile[k + 1].at(i)); };
-    const auto nonempty = [](Polynomial p) { return p.empty() ? Polynomial{0} : p; };
+    const auto nonempty = [](const Polynomial& p) { return p.empty() ? Polynomial{0} : p; };
     field.crossings.push_back({middle(2), {0}, nonempty(negative(middle(0))), nonempty(negative(middle(1)))});
   }
   return net;
