@@ -119,8 +119,8 @@ NumberField::NumberField(Polynomial f, const mpq_class& lower, const mpq_class& 
   const int changes = changes_of_sign(moved);
   if (changes == 0) throw Refutation{"the polynomial has no root in the interval"};
   if (changes > 1) {
-    throw TooLarge{"the polynomial may have several roots in the interval: " + std::to_string(changes) +
-                   " changes of sign, not one, as in a shorter interval around a simple root"};
+    throw TooLarge{"the polynomial may have several roots in the interval, by " + std::to_string(changes) +
+                   " changes of sign: give a shorter one"};
   }
   const auto first = std::find_if(moved.begin(), moved.end(), [](const mpz_class& n) { return n != 0; });
   sign_below_ = sgn(*first);

@@ -15,6 +15,10 @@ import tempfile
 from decimal import Decimal, getcontext
 from fractions import Fraction
 
+sys.dont_write_bytecode = True  # Nothing is written beside the sources.
+
+from field_surfaces import Field, over
+
 if hasattr(sys, "set_int_max_str_digits"):
     sys.set_int_max_str_digits(0)
 SIZE = 950_000
@@ -265,6 +269,46 @@ def tile_of_random_long_coordinates():
     document["surface"]["tiles"] = [[[near(Fraction(z), 58_000, 16 * k + i) for i, z in enumerate(vertex)]
                                      for k, vertex in enumerate(tile)]]
     return document
+
+
+def over_large_field(document, power):
+    """The same rational surface, numbers times α^power, over a field of degree 64 with products that are much larger than
+    their factors: f = x⁶⁴ − c_31 x³¹ − … − c_0, each c of a hundred bits."""
+    choose = random.Random(7)
+    field = Field([-choose.getrandbits(100) for _ in range(32)] + [0] * 32 + [1], ["0", "1024"])
+    return over(field, document, field.number(*[0] * power, 1), field.number(0))
+
+
+@kind
+def field_of_large_products():
+    return over_large_field(net("octagon-33-vertices"), 9)
+
+
+@kind
+def field_of_larger_products():
+    return over_large_field(net("octagon-33-vertices"), 15)
+
+
+@kind
+def field_of_nearly_equal_roots():
+    """Those of x⁶⁴ = 2(2^100 x − 1)², near 2^−100, whose distance is 2^−3300."""
+    document = net("octagon-33-vertices")
+    large = 2**100
+    field = Field([-2, 4 * large, -2 * large**2] + [0] * 61 + [1], [f"1/{large}", "1"])
+    return over(field, document, field.number(-1, large), field.number(0))
+
+
+@kind
+def field_of_many_factors():
+    """√2 as a root of (x² − 2)(x² − 5)(x² − 7) …, of degree 64: x² − 2 is 0, and what other factors divide is not."""
+    document = net("octagon-33-vertices")
+    factors = [[-n, 0, 1] for n in range(2, 46) if all(n % k for k in (4, 9, 25)) and n != 3][:32]
+    polynomial = [1]
+    for factor in factors:
+        polynomial = [a + b for a, b in zip([factor[0] * c for c in polynomial] + [0, 0], [0, 0] + polynomial)]
+    field = Field(polynomial, ["7/5", "3/2"])
+    zero = field.number(*[0] * 20, -2, 0, 1)
+    return over(field, document, field.number(5, 0, -1), zero)
 
 
 @kind

@@ -52,6 +52,10 @@ expect circumradii-all-epsilon-in-a-chart-of-many-digits UNDECIDED
 expect label-that-cancels VERIFIED
 expect label-random 'REFUTED: gluing'
 expect tile-of-random-long-coordinates 'REFUTED: surface'
+expect field-of-large-products ''
+expect field-of-larger-products ''
+expect field-of-nearly-equal-roots ''
+expect field-of-many-factors VERIFIED
 expect epsilon-of-900000-digits VERIFIED
 expect collar-core-that-cancels VERIFIED
 expect collar-core-that-cancels-in-450000-letters VERIFIED
