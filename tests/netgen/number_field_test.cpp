@@ -193,7 +193,7 @@ TEST(SurfacesOverAField, AreExamined) {
   EXPECT_THAT(problem_of([](auto& field) { std::swap(field.crossings[0][0], field.crossings[0][2]); }),
               HasSubstr("a crossing is no isometry"));
   EXPECT_THAT(problem_of([](auto& field) { std::swap(field.polygons[0][0], field.polygons[0][1]); }),
-              HasSubstr("convex"));
+              HasSubstr("clockwise"));
 }
 
 TEST(SurfacesOverAField, OfWrongMatricesAreNone) {

@@ -1,0 +1,148 @@
+#include "certify/numbers/field_number.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <vector>
+
+/// The numbers of surfaces over a number field.
+namespace epsnet::certify::field_number_test {
+namespace {
+
+using Coefficients = std::vector<mpz_class>;
+
+/// A polynomial, an interval with its root α, and α.
+struct Root {
+  Coefficients f;
+  mpq_class lower;
+  mpq_class upper;
+  double alpha;
+};
+
+/// √2; the root of x³ − x − 1; √2 + √3; √2 as a root of (x² − 2)(x² − 3); −√3 as one of those; 2 cos(2π/7).
+const std::vector<Root> kRoots{{{-2, 0, 1}, 1, 2, std::sqrt(2)},
+                               {{-1, -1, 0, 1}, 1, 2, 1.3247179572447460},
+                               {{1, 0, -10, 0, 1}, 3, 4, std::sqrt(2) + std::sqrt(3)},
+                               {{6, 0, -5, 0, 1}, 1, {3, 2}, std::sqrt(2)},
+                               {{6, 0, -5, 0, 1}, -2, {-3, 2}, -std::sqrt(3)},
+                               {{-1, -2, 1, 1}, 1, 2, 2 * std::cos(2 * M_PI / 7)}};
+
+double value_of(const Coefficients& x, double alpha) {
+  double result = 0;
+  for (std::size_t i = x.size(); i-- > 0;) result = result * alpha + x[i].get_d();
+  return result;
+}
+
+Coefficients coefficients(const std::vector<int>& x) { return {x.begin(), x.end()}; }
+
+TEST(NumberFields, KnowTheirRootToAnyPrecision) {
+  for (const Root& root : kRoots) {
+    const NumberField field(root.f, {root.lower, root.upper});
+    for (const slong bits : {53, 200, 5000}) {
+      const Precision scope(bits);
+      const Ball alpha = real_ball(field_number(field, Coefficients{0, 1}));
+      EXPECT_NEAR(lower_end(alpha), root.alpha, 1e-14);
+      EXPECT_LT(mag_cmp_2exp_si(arb_radref(alpha.get()), 8 - bits), 0);
+      // f(α) = 0, in balls.
+      Ball value;
+      for (std::size_t i = root.f.size(); i-- > 0;) value = value * alpha + Ball::rounded(root.f[i]);
+      EXPECT_EQ(certain_sign(value), 0);
+    }
+  }
+}
+
+RC_GTEST_PROP(NumberFields, HaveSumsProductsAndSigns, ()) {
+  const Root& root = kRoots[*rc::gen::inRange<std::size_t>(0, kRoots.size())];
+  const NumberField field(root.f, {root.lower, root.upper});
+  const auto some = [&] {
+    return coefficients(*rc::gen::container<std::vector<int>>(field.degree(), rc::gen::inRange(-50, 51)));
+  };
+  const Coefficients a = some();
+  const Coefficients b = some();
+  const double x = value_of(a, root.alpha);
+  const double y = value_of(b, root.alpha);
+  const FieldNumber z = field_number(field, a) + Gaussian{0, 1} * field_number(field, b);
+  const Precision scope(64);
+  const auto near = [](const FieldNumber& found, double expected) {
+    RC_ASSERT(std::abs(lower_end(real_ball(found)) - expected) <= 1e-9 * (1 + std::abs(expected)));
+  };
+  near(norm(z), x * x + y * y);
+  near(twice_real(z), 2 * x);
+  near(twice_imaginary(z), 2 * y);
+  near(twice_real(z * z), 2 * (x * x - y * y));
+  near(twice_imaginary(z * z), 4 * x * y);
+  near(twice_imaginary(conjugate(z)), -2 * y);
+  RC_ASSERT(sign(norm(z) - norm(conjugate(z))) == 0);
+  if (std::abs(x) > 1e-9) RC_ASSERT(sign(field_number(field, a)) == (x > 0 ? 1 : -1));
+}
+
+TEST(NumberFields, TellZeroFromWhatIsNear) {
+  // The same polynomials at the roots √2 and −√3 of (x² − 2)(x² − 3).
+  const NumberField two(kRoots[3].f, {kRoots[3].lower, kRoots[3].upper});
+  const NumberField three(kRoots[4].f, {kRoots[4].lower, kRoots[4].upper});
+  const Coefficients square_minus_two{-2, 0, 1};
+  EXPECT_EQ(sign(field_number(two, square_minus_two)), 0);
+  EXPECT_EQ(sign(field_number(three, square_minus_two)), 1);
+  // √2 less or more a convergent of its continued fraction: |p − q√2| < 1/q.
+  mpz_class p = 1;
+  mpz_class q = 1;
+  for (int i = 0; i < 300; ++i) {
+    const mpz_class next = p + 2 * q;
+    q = p + q;
+    p = next;
+    EXPECT_EQ(sign(field_number(two, Coefficients{p, -q})), i % 2 == 0 ? 1 : -1);
+  }
+}
+
+TEST(NumberFields, CountRootsByDescartesRule) {
+  const Coefficients f{6, 0, -5, 0, 1};
+  EXPECT_EQ(count_roots(f, 1, {3, 2}).changes, 1U);
+  EXPECT_EQ(count_roots(f, 1, {3, 2}).first_sign, 1);
+  EXPECT_EQ(count_roots(f, {3, 2}, 2).changes, 1U);
+  EXPECT_EQ(count_roots(f, {3, 2}, 2).first_sign, -1);
+  EXPECT_EQ(count_roots(f, 1, 2).changes, 2U);
+  EXPECT_EQ(count_roots(f, 2, 3).changes, 0U);
+  // A double root counts twice, and one at an end does not count.
+  EXPECT_EQ(count_roots({1, -2, 1}, 0, 3).changes, 2U);
+  EXPECT_EQ(count_roots({-2, 1}, 1, 2).changes, 0U);
+  EXPECT_EQ(count_roots({-2, 1}, 2, 3).changes, 0U);
+  EXPECT_EQ(count_roots({-4, 6, 0, -3, 1}, 1, 2).changes, 1U);
+}
+
+TEST(NumberFields, OfARootBesideAnotherOneAtAnEndAreThoseOfTheRoot) {
+  // (x − 1)(x − 2)(x² − 2).
+  const NumberField field({-4, 6, 0, -3, 1}, {1, 2});
+  EXPECT_EQ(sign(field_number(field, Coefficients{-2, 0, 1})), 0);
+}
+
+TEST(NumberFields, MakeIsometriesOfDeterminant1) {
+  const NumberField field({-2, 0, 1}, {1, 2});
+  // a = 6 + 4√2, b = 2 + 2√2 i; |a|² − |b|² = 56 + 48√2.
+  Isometry<FieldNumber> f{
+      field_number(field, Coefficients{6, 4}),
+      field_number(field, Coefficients{2}) + Gaussian{0, 2} * field_number(field, Coefficients{0, 1})};
+  EXPECT_EQ(sign(determinant(f) - field_number(field, Coefficients{56, 48})), 0);
+  reduce(f);
+  EXPECT_EQ(sign(f.a - field_number(field, Coefficients{3, 2})), 0);
+  const BallIsometry value = to_balls(f, determinant(f), 100);
+  const Precision scope(100);
+  EXPECT_TRUE(arb_contains_si((norm(value.a) - norm(value.b)).get(), 1));
+  EXPECT_NEAR(lower_end(imaginary(value.b) / real(value.b)), std::sqrt(2), 1e-14);
+  EXPECT_TRUE(is_identity(compose(f, inverse(f))));
+  EXPECT_FALSE(is_identity(f));
+}
+
+TEST(NumberFields, TakeTheirWorkOffTheBudget) {
+  const NumberField field({-2, 0, 1}, {1, 2}, Budget(10'000));
+  FieldNumber x = field_number(field, Coefficients{3, 7});
+  EXPECT_THROW(
+      {
+        for (int i = 0; i < 30; ++i) x = x * x;
+      },
+      BudgetSpent);
+}
+
+}  // namespace
+}  // namespace epsnet::certify::field_number_test
