@@ -165,11 +165,24 @@ void mutate_collars(NetDocument& document, std::size_t sides, Chooser& choose) {
   }
 }
 
+/// Changes a number of a field, its polynomial or its interval by little.
+void mutate_field(SurfaceDocument::Field& field, Chooser& choose) {
+  std::vector<mpz_class>* const numbers[] = {&choose.of(choose.of(field.polygons))[choose.below(3)],
+                                             &choose.of(field.crossings)[choose.below(4)], &field.polynomial};
+  const unsigned which = choose.below(4);
+  if (which == 3) {
+    field.root[choose.below(2)] += mpq_class(1, 1 + choose.below(8)) * (choose.below(2) == 0 ? 1 : -1);
+  } else {
+    choose.of(*numbers[which]) += static_cast<int>(choose.below(3)) - 1;
+  }
+}
+
 /// Makes one change after which the document is still well-formed, though usually not a net.
 void mutate(NetDocument& document, Chooser& choose) {
   const bool regular = document.surface.regular_genus != 0;
   std::size_t sides = std::size_t{4} * document.surface.regular_genus;
   for (const SurfaceDocument::Tile& tile : document.surface.tiles) sides += tile.size();
+  for (const auto& polygon : document.surface.field.polygons) sides += polygon.size();
   // Half of the changes to a pseudo net concern its collars.
   switch (choose.below(document.collars ? 20 : 10)) {
     case 0:
@@ -181,7 +194,9 @@ void mutate(NetDocument& document, Chooser& choose) {
     case 2:
       if (regular) {
         document.surface.regular_genus = 2 + choose.below(4);
-      } else {
+      } else if (!document.surface.field.polynomial.empty()) {
+        mutate_field(document.surface.field, choose);
+      } else if (!document.surface.tiles.empty()) {
         mutate_point(choose.of(choose.of(document.surface.tiles)), choose);
       }
       break;

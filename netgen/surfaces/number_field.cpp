@@ -67,7 +67,17 @@ RationalPolynomial negative(RationalPolynomial x) {
   return x;
 }
 
+/// The bits of a number that is read; a person writes some hundred.
+constexpr std::uint64_t kMostBits = 100'000;
+
+std::uint64_t size_of(const RationalPolynomial& x) {
+  return certify::bits_of_coefficients(integral(x)) + mpz_sizeinbase(denominator_of(x).get_mpz_t(), 2);
+}
+
 RationalPolynomial product_of(const RationalPolynomial& x, const RationalPolynomial& y) {
+  if (size_of(x) + size_of(y) > kMostBits) {
+    throw SurfaceError("a number of more than " + std::to_string(kMostBits) + " bits");
+  }
   RationalPolynomial result;
   fmpq_poly_mul(result.get(), x.get(), y.get());
   return result;

@@ -154,6 +154,12 @@ std::vector<Family> families() {
     b.push_back(net("an octagon of another gluing", octagon_of_another_gluing(), "1.5", 2));
   }
   {
+    auto& b = add("number fields", 40);
+    b.push_back(file("forgeries/field-bolza.json", 3));
+    b.push_back(file("forgeries/field-octagon.json", 2));
+    b.push_back(file("forgeries/field-reducible.json", 1));
+  }
+  {
     auto& b = add("pseudo nets", 60);
     b.push_back(file("forgeries/collars.json", 1));
     b.push_back(net("three cuffs of 0.1", cuffs(PantsGraph::ring(2), {"0.1", "0.12", "0.15"}), "0.346", 2, true));
@@ -281,8 +287,12 @@ std::string defect(Document& document, Random& random) {
   }
   NetDocument& net = net_of(document);
   const bool regular = net.surface.regular_genus != 0 && random.below(4) == 0;
+  const bool field = !net.surface.field.polynomial.empty() && random.below(2) == 0;
   const bool collars = net.collars && random.below(5) < 3;
-  const std::vector<Mutation>& list = collars ? collar_mutations() : regular ? regular_mutations() : mutations();
+  const std::vector<Mutation>& list = collars   ? collar_mutations()
+                                      : regular ? regular_mutations()
+                                      : field   ? field_mutations()
+                                                : mutations();
   const Mutation& mutation = list[random.below(list.size())];
   mutation.apply(net, random);
   return mutation.name;

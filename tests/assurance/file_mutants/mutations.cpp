@@ -83,6 +83,7 @@ void change_length(double& x, Random& r) {
 std::size_t side_count(const NetDocument& net) {
   std::size_t n = std::size_t{4} * net.surface.regular_genus;
   for (const certify::SurfaceDocument::Tile& tile : net.surface.tiles) n += tile.size();
+  for (const auto& polygon : net.surface.field.polygons) n += polygon.size();
   return n;
 }
 
@@ -100,6 +101,10 @@ std::vector<std::uint32_t> partners(const certify::SurfaceDocument& surface) {
   for (const certify::SurfaceDocument::Tile& tile : surface.tiles) {
     first.push_back(sides);
     sides += static_cast<std::uint32_t>(tile.size());
+  }
+  for (const auto& polygon : surface.field.polygons) {
+    first.push_back(sides);
+    sides += static_cast<std::uint32_t>(polygon.size());
   }
   std::vector<std::uint32_t> result(sides);
   for (const certify::SurfaceDocument::Gluing& g : surface.gluing) {
@@ -456,6 +461,74 @@ const std::vector<Mutation>& mutations() {
          const certify::SurfaceDocument::Tile first = net.surface.tiles.at(0);
          net.surface.tiles.push_back(first);
        }},
+  };
+  return all;
+}
+
+namespace {
+
+/// Adds or takes away 1, or turns the sign.
+void change_integer(std::vector<mpz_class>& integers, Random& r) {
+  mpz_class& x = r.of(integers);
+  switch (r.below(3)) {
+    case 0:
+      ++x;
+      break;
+    case 1:
+      --x;
+      break;
+    default:
+      x = -x;
+  }
+}
+
+/// The same vector or isometry, if all numbers are multiplied by an integer.
+template <std::size_t kSize>
+void multiply(std::array<std::vector<mpz_class>, kSize>& numbers, int factor) {
+  for (std::vector<mpz_class>& number : numbers) {
+    for (mpz_class& x : number) x *= factor;
+  }
+}
+
+}  // namespace
+
+const std::vector<Mutation>& field_mutations() {
+  static const std::vector<Mutation> all{
+      {"vertex over a field moved",
+       [](NetDocument& net, Random& r) { change_integer(r.of(r.of(net.surface.field.polygons)).at(r.below(3)), r); }},
+      {"vertex over a field multiplied",
+       [](NetDocument& net, Random& r) {
+         multiply(r.of(r.of(net.surface.field.polygons)), static_cast<int>(r.below(5)) - 1);
+       }},
+      {"vertices over a field exchanged",
+       [](NetDocument& net, Random& r) {
+         auto& polygon = r.of(net.surface.field.polygons);
+         std::swap(r.of(polygon), r.of(polygon));
+       }},
+      {"vertex over a field dropped", [](NetDocument& net, Random& r) { drop_last(r.of(net.surface.field.polygons)); }},
+      {"polygon added",
+       [](NetDocument& net, Random& r) {
+         const auto polygon = r.of(net.surface.field.polygons);
+         net.surface.field.polygons.push_back(polygon);
+       }},
+      {"crossing changed",
+       [](NetDocument& net, Random& r) { change_integer(r.of(net.surface.field.crossings).at(r.below(4)), r); }},
+      {"crossing multiplied",
+       [](NetDocument& net, Random& r) {
+         multiply(r.of(net.surface.field.crossings), static_cast<int>(r.below(5)) - 2);
+       }},
+      {"crossings exchanged",
+       [](NetDocument& net, Random& r) {
+         std::swap(r.of(net.surface.field.crossings), r.of(net.surface.field.crossings));
+       }},
+      {"crossing dropped", [](NetDocument& net, Random&) { drop_last(net.surface.field.crossings); }},
+      {"polynomial changed", [](NetDocument& net, Random& r) { change_integer(net.surface.field.polynomial, r); }},
+      {"end of the root's interval moved",
+       [](NetDocument& net, Random& r) {
+         net.surface.field.root.at(r.below(2)) += mpq_class(r.below(2) == 0 ? 1 : -1, 2);
+       }},
+      {"number of a field longer",
+       [](NetDocument& net, Random& r) { r.of(net.surface.field.crossings).at(r.below(4)).emplace_back(r.below(2)); }},
   };
   return all;
 }

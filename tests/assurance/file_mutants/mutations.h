@@ -53,6 +53,8 @@ using Mutation = MutationOf<certify::NetDocument>;
 [[nodiscard]] const std::vector<Mutation>& mutations();
 /// Defects of regular surfaces and of pseudo nets only.
 [[nodiscard]] const std::vector<Mutation>& regular_mutations();
+/// Of surfaces over a number field.
+[[nodiscard]] const std::vector<Mutation>& field_mutations();
 [[nodiscard]] const std::vector<Mutation>& collar_mutations();
 
 /// Defects of the parts of a claim other than its net.
