@@ -20,6 +20,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
+#include "netgen/surfaces/word_isometry.h"
 
 namespace epsnet {
 namespace {
@@ -250,12 +251,25 @@ certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulat
           .simple = geodesic.simple};
 }
 
+/// Whether the geodesics of a cluster have exactly equal lengths; true where tiles are not rational, whose coordinates
+/// nobody has rounded.
+bool is_equal_exactly(const Surface& surface, const certify::GeodesicsDocument::Cluster& cluster,
+                      const std::vector<certify::GeodesicsDocument::ClosedGeodesic>& documents) {
+  if (!surface.is_rational()) return true;
+  const auto trace = [&](std::uint32_t i) { return squared_trace(surface, word_of_letters(documents[i].word)); };
+  const mpq_class first = trace(cluster.first);
+  for (std::uint32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i) {
+    if (trace(i) != first) return false;
+  }
+  return true;
+}
+
 /// Returns the runs of overlapping enclosures. Lengths that agree to seven tenths of their bits are claimed to be
-/// equal; certify decides. (Coordinates of surfaces are often rounded, and lengths that would be equal without that
-/// agree to a third of their bits.)
+/// equal, if they are: coordinates of surfaces are often rounded, to many digits.
 template <class T>
 std::vector<certify::GeodesicsDocument::Cluster> clusters(
-    const std::vector<Found<T>>& geodesics, const std::vector<certify::GeodesicsDocument::ClosedGeodesic>& documents) {
+    const Surface& surface, const std::vector<Found<T>>& geodesics,
+    const std::vector<certify::GeodesicsDocument::ClosedGeodesic>& documents) {
   constexpr int kBits = std::numeric_limits<T>::digits * 7 / 10;
   std::vector<certify::GeodesicsDocument::Cluster> result;
   double reach = 0;
@@ -268,6 +282,9 @@ std::vector<certify::GeodesicsDocument::Cluster> clusters(
     ++last.count;
     const T difference = geodesics[i].length - geodesics[last.first].length;
     last.equal = last.equal && difference <= boost::multiprecision::ldexp(geodesics[i].length, -kBits);
+  }
+  for (certify::GeodesicsDocument::Cluster& cluster : result) {
+    cluster.equal = cluster.equal && (cluster.count == 1 || is_equal_exactly(surface, cluster, documents));
   }
   return result;
 }
@@ -308,7 +325,7 @@ certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions&
   certify::GeodesicsDocument result;
   result.claim = claim;
   for (const Found<T>& geodesic : found) result.geodesics.push_back(to_document<T>(search.triangulation(), geodesic));
-  result.clusters = clusters<T>(found, result.geodesics);
+  result.clusters = clusters<T>(search.triangulation().surface(), found, result.geodesics);
   if (claim == certify::GeodesicsDocument::Claim::thick_thin)
     result.pieces = pieces<T>(search.triangulation(), catalogue.geodesics());
   result.net = net_document(search.triangulation(), options.epsilon);

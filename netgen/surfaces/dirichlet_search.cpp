@@ -58,6 +58,18 @@ bool DirichletSearch::is_identity(const Isometry<MatrixProducts::Number>& f) con
   return small(f.a.y) && small(f.b.x) && small(f.b.y);
 }
 
+bool DirichletSearch::is_identity(Id x) const {
+  const Isometry<MatrixProducts::Number> f = products_.value(x);
+  if (is_identity(f)) return true;
+  // No element of a group that anybody has in decimals is so near to 1.
+  constexpr double kNear = 0.02;
+  const double error = 4 * products_.error(x);
+  const auto off = static_cast<double>(MatrixProducts::Number(abs(f.a.y) + sqrt(norm(f.b))));
+  if (off > error) return false;
+  if (error > kNear) throw CoarseNumbers{x, error};
+  return true;
+}
+
 void DirichletSearch::add(Id x) {
   for (const Id id : {x, -x}) {
     const Isometry<Number> element = convert<Number>(products_.value(id));
@@ -107,7 +119,7 @@ void DirichletSearch::reduce_pending() {
     Id x = pending_.back();
     pending_.pop_back();
     const Vector origin{Number(0), Number(0), Number(1)};
-    while (!is_identity(products_.value(x))) {
+    while (!is_identity(x)) {
       const auto i = violated(image(convert<Number>(products_.value(x)), origin));
       if (!i) {
         examine_(x);
@@ -233,7 +245,7 @@ DirichletSearch::End DirichletSearch::classify() {
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto [element, lifts] = around(i);
     if (element == 0) return End::degenerate;
-    if (!is_identity(products_.value(element))) {
+    if (!is_identity(element)) {
       element_ = element;
       return End::torsion;
     }
@@ -244,12 +256,11 @@ DirichletSearch::End DirichletSearch::classify() {
 
 std::optional<std::vector<std::uint32_t>> DirichletSearch::factors(Id x) const {
   std::vector<std::uint32_t> result;
-  Isometry<MatrixProducts::Number> rest = products_.value(x);
-  while (!is_identity(rest)) {
-    const auto i = violated(image(convert<Number>(rest), Vector{Number(0), Number(0), Number(1)}));
+  for (Id rest = x; !is_identity(rest);) {
+    const auto i = violated(image(convert<Number>(products_.value(rest)), Vector{Number(0), Number(0), Number(1)}));
     if (!i || result.size() > kMostElements) return std::nullopt;
     result.push_back(static_cast<std::uint32_t>(*i));
-    rest = inverse(products_.value(ids_[*i])) * rest;
+    rest = products_.product(-ids_[*i], rest);
   }
   return result;
 }

@@ -10,6 +10,12 @@
 
 namespace epsnet {
 
+/// The generators are known to too few digits: an element may be 1, or not; 0 stands for their relation.
+struct CoarseNumbers {
+  MatrixProducts::Id element;
+  double error;
+};
+
 /// Finds the Dirichlet domain of the base point of a group of matrices, with rounded numbers: of all sides that are
 /// known, and with new ones as long as one that is moved to another one does not fit (J. Voight, Computing fundamental
 /// domains for Fuchsian groups, J. Théor. Nombres Bordeaux 21, 2009). Nothing is proved here.
@@ -34,6 +40,7 @@ class DirichletSearch {
     degenerate,  ///< A vertex where more lifts than three meet, so that another base point is needed.
     limit        ///< Too many elements.
   };
+  /// Throws CoarseNumbers.
   [[nodiscard]] End run();
 
   /// The elements whose bisectors are the sides, counterclockwise.
@@ -55,6 +62,8 @@ class DirichletSearch {
   using Vector = LorentzVector<Number>;
 
   [[nodiscard]] bool is_identity(const Isometry<MatrixProducts::Number>& f) const;
+  /// As far as its error tells. Throws CoarseNumbers.
+  [[nodiscard]] bool is_identity(Id x) const;
   void add(Id x);
   void make_hull();
   void reduce_pending();

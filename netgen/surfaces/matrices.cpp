@@ -93,7 +93,7 @@ class Examiner {
   void operator()(ElementId x) const {
     const auto value = convert<Mp256>(products_.value(x));
     const Mp256 half_trace = abs(value.a.x);
-    if (exact_ ? half_trace < 1 + 1e-9 : half_trace <= 1 + tolerance_) exact_ ? elliptic(x) : maybe_elliptic(x);
+    if (exact_ ? half_trace < 1 + 1e-9 : half_trace <= 1 + slack(x)) exact_ ? elliptic(x) : maybe_elliptic(x);
     if (half_trace < kJorgensen) jorgensen(x);
   }
 
@@ -120,7 +120,7 @@ class Examiner {
   void elliptic(ElementId x) const {
     const Element f = exactly_(x);
     // Of tr² − 4 times the determinant, divided by 4: |b|² − (Im a)².
-    const auto twice_im = twice_imaginary(f.a);
+    const decltype(norm(f.a)) twice_im = twice_imaginary(f.a);
     const int sign = certify::sign(mpz_class(4) * norm(f.b) - twice_im * twice_im);
     if (sign > 0 || certify::is_identity(f)) return;
     if (sign == 0) {
@@ -135,9 +135,15 @@ class Examiner {
                                                 decimal(Mp256(2 * abs(rounded(f).a.x))) + ")");
   }
 
+  /// How far a trace may be from that which is meant.
+  [[nodiscard]] double slack(ElementId x) const { return std::max(tolerance_, 2 * products_.error(x)); }
+
   void maybe_elliptic(ElementId x) const {
+    // Short elements are as near to parabolic ones as their error is.
+    constexpr double kFine = 1e-6;
     const Mp256 half_trace = abs(convert<Mp256>(products_.value(x)).a.x);
-    if (half_trace < 1 - tolerance_) {
+    if (products_.error(x) > kFine) throw CoarseNumbers{x, products_.error(x)};
+    if (half_trace < 1 - slack(x)) {
       throw MatricesError(Kind::torsion, name(x) + " is elliptic, with the trace ±" + decimal(2 * half_trace) +
                                              ": the group has torsion or is not discrete");
     }
@@ -154,24 +160,34 @@ class Examiner {
       const Numeric g = convert<Mp256>(products_.value(y));
       const Mp256 commutator = 2 * (f * g * inverse(f) * inverse(g)).a.x;
       const Mp256 sum = abs(Mp256(4 * f.a.x * f.a.x - 4)) + abs(Mp256(commutator - 2));
-      if (abs(g.a.x) <= 1 || sum >= 1 - tolerance_ || abs(Mp256(commutator - 2)) <= tolerance_) continue;
+      const double unknown = exact_ ? tolerance_ : std::max(tolerance_, commutator_error(x, y));
+      if (abs(g.a.x) <= 1 || sum >= 1 - unknown || abs(Mp256(commutator - 2)) <= unknown) continue;
       if (exact_ && !violates_exactly(exactly_(x), exactly_(y))) continue;
       throw MatricesError(Kind::not_discrete, "not discrete: " + name(x) + " and generator " + std::to_string(y) +
                                                   " violate Jorgensen's inequality" + by_digits());
     }
   }
 
+  /// About the error of the trace of a commutator.
+  [[nodiscard]] double commutator_error(ElementId x, ElementId y) const {
+    const auto size = [&](ElementId z) {
+      return static_cast<double>(2 * sqrt(Mp256(norm(convert<Mp256>(products_.value(z)).a))));
+    };
+    return 8 * size(x) * size(y) * (products_.error(x) * size(y) + size(x) * products_.error(y));
+  }
+
   /// In numbers that are multiplied by the determinants d and e of f and g: tr² f > 4, tr² g > 4, tr [f, g] ≠ 2, and
   /// tr² f − 4 + |tr [f, g] − 2| < 1. The determinant of the commutator is d²e².
   static bool violates_exactly(const Element& f, const Element& g) {
     using certify::sign;
+    using Real = decltype(norm(f.a));  // GMP's sums and products are not numbers by themselves.
     const Element commutator =
         certify::compose(certify::compose(f, g), certify::compose(certify::inverse(f), certify::inverse(g)));
-    const auto beyond_4 = [](const Element& h) {
+    const auto beyond_4 = [](const Element& h) -> Real {
       return twice_real(h.a) * twice_real(h.a) - mpz_class(4) * certify::determinant(h);
     };
-    const auto both = certify::determinant(f) * certify::determinant(g);
-    const auto beyond_2 = twice_real(commutator.a) - mpz_class(2) * both;
+    const Real both = certify::determinant(f) * certify::determinant(g);
+    const Real beyond_2 = twice_real(commutator.a) - mpz_class(2) * both;
     const int side = sign(beyond_2);
     return sign(beyond_4(f)) > 0 && sign(beyond_4(g)) > 0 && side != 0 &&
            sign(beyond_4(f) * certify::determinant(g) + mpz_class(side) * beyond_2 - both) < 0;
@@ -359,18 +375,21 @@ class Maker {
 
   Maker(const MatrixGenerators& matrices, std::vector<Element> generators, const Groups& groups, bool exact)
       : matrices_(matrices), generators_(std::move(generators)), groups_(groups), exact_(exact) {
-    if (!exact) {
-      constexpr unsigned kFewest = 4;
-      tolerance_ = std::pow(10.0, -0.5 * std::max(matrices.digits.value_or(kFewest), kFewest));
-      tolerance_ = std::max(tolerance_, kTiny);
-    }
     for (const Element& f : generators_) rounded_.push_back(finely_rounded(f));
+    for (const Element& f : generators_) targets_.push_back(rounded(f));
+    if (!exact) set_digits(matrices.digits.value());
+  }
+
+  /// The surface is to be near to these instead; the generators are known to so many digits.
+  void approach(std::vector<Numeric> targets, unsigned digits) {
+    targets_ = std::move(targets);
+    set_digits(digits);
   }
 
   MatrixSurface make() {
     check_relation();
     for (const Complex<Rational>& base : base_points()) {
-      MatrixProducts products(rounded_, base);
+      MatrixProducts products(rounded_, base, rounding_);
       ExactProducts<Number> exactly(products, generators_);
       const Examiner<Number> examine(products, exactly, exact_, tolerance_);
       DirichletSearch search(products, tolerance_, examine);
@@ -409,6 +428,12 @@ class Maker {
  private:
   static constexpr double kTiny = 1e-40;
 
+  void set_digits(unsigned digits) {
+    constexpr unsigned kFewest = 4;
+    tolerance_ = std::max(std::pow(10.0, -0.5 * std::max(digits, kFewest)), kTiny);
+    rounding_ = std::pow(10.0, -static_cast<double>(digits));
+  }
+
   void check_relation() const {
     if (matrices_.relation.empty()) return;
     if (exact_) {
@@ -427,13 +452,13 @@ class Maker {
       if (!certify::is_identity(product)) fail_relation(rounded(product));
       return;
     }
-    Numeric product{{Mp256(1), Mp256(0)}, {Mp256(0), Mp256(0)}};
-    for (const std::int32_t letter : matrices_.relation) {
-      const Numeric f = rounded(generators_[static_cast<std::size_t>(std::abs(letter)) - 1]);
-      product = product * (letter > 0 ? f : inverse(f));
-    }
-    product = normalized(product);
-    if (abs(product.a.y) > tolerance_ || sqrt(norm(product.b)) > tolerance_) fail_relation(product);
+    MatrixProducts products(rounded_, {0, 0}, rounding_);
+    ElementId product = matrices_.relation[0];
+    for (std::size_t i = 1; i < matrices_.relation.size(); ++i)
+      product = products.product(product, matrices_.relation[i]);
+    const Numeric f = convert<Mp256>(products.value(product));
+    const double slack = std::max(tolerance_, 4 * products.error(product));
+    if (abs(f.a.y) > slack || sqrt(norm(f.b)) > slack) fail_relation(f);
   }
 
   [[noreturn]] void fail_relation(const Numeric& product) const {
@@ -530,12 +555,10 @@ class Maker {
       }
       return result;
     };
-    std::vector<Numeric> targets;
-    for (const ExactIsometry& f : generators_) targets.push_back(rounded(f));
-    const std::vector<Numeric> nearest = nearest_solution(approximate, relation, targets, values);
+    const std::vector<Numeric> nearest = nearest_solution(approximate, relation, targets_, values);
     // As many bits as the decimals have, and at least 60.
     constexpr unsigned kMostBits = 240;
-    const unsigned first_bits = std::clamp(10 * *matrices_.digits / 3 + 10, 60U, 200U);
+    const unsigned first_bits = std::clamp(10 * matrices_.digits.value() / 3 + 10, 60U, 200U);
     const Mp256 wanted = boost::multiprecision::ldexp(Mp256(1), 10 - static_cast<int>(first_bits));
     for (unsigned bits = first_bits; bits <= kMostBits; bits += 20) {
       const std::vector<ExactIsometry> solution = rational_solution(nearest, relation, bits);
@@ -559,7 +582,7 @@ class Maker {
       result.is_exact = false;
       std::vector<Numeric> found;
       for (const Word& word : result.words) found.push_back(rounded(integral(exact_isometry(result.surface, word))));
-      const Mp256 distance = difference(found, targets);
+      const Mp256 distance = difference(found, targets_);
       result.distance = static_cast<double>(distance);
       result.surface.set_about("surface nearest to " + std::to_string(generators_.size()) +
                                " rounded matrices: entries differ by at most " + decimal(distance));
@@ -590,10 +613,85 @@ class Maker {
   const MatrixGenerators& matrices_;
   std::vector<Element> generators_;
   std::vector<Isometry<Mp1024>> rounded_;
+  std::vector<Numeric> targets_;
   const Groups& groups_;
   bool exact_;
   double tolerance_ = kTiny;
+  double rounding_ = 0;  ///< Of numbers of generators, relative to their size.
 };
+
+/// Whether the relation has every generator once in each direction, and makes a polygon with these sides a closed
+/// surface with one vertex.
+bool is_surface_relation(const std::vector<std::int32_t>& relation, std::size_t generators) {
+  if (generators % 2 != 0 || relation.size() != 2 * generators) return false;
+  const auto sides = static_cast<std::uint32_t>(relation.size());
+  std::vector<std::uint32_t> partner(sides, sides);
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const auto other = std::find(relation.begin(), relation.end(), -relation[i]);
+    if (other == relation.end() || std::count(relation.begin(), relation.end(), relation[i]) != 1) return false;
+    partner[i] = static_cast<std::uint32_t>(other - relation.begin());
+  }
+  std::uint32_t around = 0;
+  std::uint32_t corners = 0;
+  do {
+    around = (partner[around] + 1) % sides;
+    ++corners;
+  } while (around != 0);
+  return corners == sides;
+}
+
+/// How far the product of a relation is from 1; not a number, if some number of an element is none.
+Mp256 defect(const std::vector<Numeric>& generators, const std::vector<std::int32_t>& relation) {
+  Numeric product{{Mp256(1), Mp256(0)}, {Mp256(0), Mp256(0)}};
+  for (const std::int32_t letter : relation) {
+    const Numeric& f = generators[static_cast<std::size_t>(std::abs(letter)) - 1];
+    product = product * (letter > 0 ? f : inverse(f));
+  }
+  product = normalized(product);
+  return abs(product.a.y) + sqrt(norm(product.b));
+}
+
+/// The elements nearest to rounded ones of which the relation holds. Throws CoarseNumbers if none are found.
+std::vector<Numeric> moved_to_relation(const std::vector<Numeric>& targets, const std::vector<std::int32_t>& relation) {
+  constexpr double kFine = 1e-60;
+  constexpr double kTooFar = 1e-3;
+  constexpr int kMostTrials = 8;
+  std::vector<Numeric> solution = targets;
+  for (int trial = 0; trial < kMostTrials; ++trial) {
+    solution = nearest_solution(solution, relation, targets, [](const auto& elements) { return elements; });
+    const Mp256 off = defect(solution, relation);
+    if (!boost::multiprecision::isfinite(off)) break;
+    if (off < kFine) return solution;
+  }
+  throw CoarseNumbers{0, kTooFar};
+}
+
+/// The surface near to decimals. With a relation of the generators these are first moved to where it holds, so that few
+/// digits will do.
+MatrixSurface surface_near(const MatrixGenerators& matrices, const std::vector<ExactIsometry>& generators) {
+  const unsigned digits = matrices.digits.value();
+  try {
+    if (!is_surface_relation(matrices.relation, generators.size())) {
+      return Maker<RationalGroups>(matrices, generators, RationalGroups(), false).make();
+    }
+    std::vector<Numeric> targets;
+    for (const ExactIsometry& f : generators) targets.push_back(rounded(f));
+    std::vector<ExactIsometry> solution;
+    for (const Numeric& f : moved_to_relation(targets, matrices.relation)) {
+      solution.push_back(integral(convert<Rational>(f)));
+    }
+    constexpr unsigned kDigitsOfSolution = 60;
+    Maker<RationalGroups> maker(matrices, std::move(solution), RationalGroups(), false);
+    maker.approach(std::move(targets), kDigitsOfSolution);
+    return maker.make();
+  } catch (const CoarseNumbers& coarse) {
+    const double missing = std::ceil(std::log10(coarse.error) + 3);
+    throw MatricesError(Kind::undecided,
+                        "could not decide: the entries have " + std::to_string(digits) + " digits; about " +
+                            std::to_string(digits + static_cast<unsigned>(std::max(missing, 2.0))) + " are needed" +
+                            (coarse.element != 0 ? ", or a relation of the generators" : ""));
+  }
+}
 
 /// Four numbers of a field without fractions, times a common positive integer.
 std::vector<certify::FieldNumber> integral_numbers(std::span<const RationalPolynomial> numbers,
@@ -652,7 +750,7 @@ MatrixSurface surface_of_matrices(const MatrixGenerators& matrices) {
   } catch (const MatricesError& error) {
     if (!matrices.digits) throw;
   }
-  return Maker<RationalGroups>(matrices, generators, RationalGroups(), false).make();
+  return surface_near(matrices, generators);
 }
 
 }  // namespace epsnet

@@ -25,14 +25,30 @@ Complex<Rational> image(const certify::ExactIsometry& f, const Complex<Rational>
   return {from_gmp(x), from_gmp(y)};
 }
 
-MatrixProducts::MatrixProducts(const std::vector<Isometry<Number>>& generators, const Complex<Rational>& base)
+namespace {
+
+/// The operator norm of an isometry of determinant 1.
+double size_of(const Isometry<MatrixProducts::Number>& f) {
+  return static_cast<double>(MatrixProducts::Number(sqrt(norm(f.a)) + sqrt(norm(f.b))));
+}
+
+}  // namespace
+
+MatrixProducts::MatrixProducts(const std::vector<Isometry<Number>>& generators, const Complex<Rational>& base,
+                               double rounding)
     : generators_(generators.size()) {
   const auto centre = Isometry<Number>::translation(convert<Number>(base));
-  for (const Isometry<Number>& f : generators) nodes_.push_back({0, 0, normalized(inverse(centre) * f * centre), 1});
+  for (const Isometry<Number>& f : generators) {
+    const Isometry<Number> value = normalized(inverse(centre) * f * centre);
+    nodes_.push_back({0, 0, value, 1, rounding * size_of(value)});
+  }
 }
 
 MatrixProducts::Id MatrixProducts::product(Id x, Id y) {
-  nodes_.push_back({x, y, normalized(value(x) * value(y)), nodes_[index(x)].length + nodes_[index(y)].length});
+  const Isometry<Number> left = value(x);
+  const Isometry<Number> right = value(y);
+  nodes_.push_back({x, y, normalized(left * right), nodes_[index(x)].length + nodes_[index(y)].length,
+                    error(x) * size_of(right) + size_of(left) * error(y)});
   return static_cast<Id>(nodes_.size());
 }
 

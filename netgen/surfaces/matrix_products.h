@@ -39,9 +39,9 @@ class MatrixProducts {
   /// Letters of a relation: k + 1 is generator k, −(k + 1) its inverse.
   using Letters = std::vector<Id>;
 
-  /// Values are seen from `base`: in coordinates that the translation from it to 0 has moved. Requires: positive
-  /// determinants; a base in the disk.
-  MatrixProducts(const std::vector<Isometry<Number>>& generators, const Complex<Rational>& base);
+  /// Values are seen from `base`: in coordinates that the translation from it to 0 has moved. `rounding` is how far the
+  /// generators may be from what is meant, relative to their size. Requires: positive determinants; a base in the disk.
+  MatrixProducts(const std::vector<Isometry<Number>>& generators, const Complex<Rational>& base, double rounding = 0);
 
   [[nodiscard]] std::size_t generators() const { return generators_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -49,6 +49,8 @@ class MatrixProducts {
   [[nodiscard]] Id product(Id x, Id y);
   /// Of determinant 1, rounded.
   [[nodiscard]] Isometry<Number> value(Id x) const;
+  /// About how far a number of `value` may be from that of the element that is meant.
+  [[nodiscard]] double error(Id x) const { return nodes_[index(x)].error; }
   /// The two elements of which x > 0 is the product; nothing for a generator.
   [[nodiscard]] std::optional<std::array<Id, 2>> factors(Id x) const {
     const Node& node = nodes_[index(x)];
@@ -63,6 +65,7 @@ class MatrixProducts {
     Id right;
     Isometry<Number> value;
     double length;
+    double error;
   };
   [[nodiscard]] static std::size_t index(Id x) { return static_cast<std::size_t>(x < 0 ? -x : x) - 1; }
 

@@ -113,6 +113,13 @@ certify::ExactIsometry integer_isometry(const Surface& surface, const Word& word
   return result;
 }
 
+mpq_class squared_trace(const Surface& surface, const Word& word) {
+  const certify::ExactIsometry f = integer_isometry(surface, word);
+  mpq_class result(4 * f.a.re * f.a.re, certify::determinant(f));
+  result.canonicalize();
+  return result;
+}
+
 certify::BallIsometry ball_isometry(const Surface& surface, const Word& word, slong precision) {
   return surface.is_rational() ? certify::to_balls(integer_isometry(surface, word), precision)
                                : ball_product(surface, word, precision);

@@ -14,8 +14,11 @@ namespace epsnet {
 /// common factor. Quasi-linear in the digits of the result.
 [[nodiscard]] certify::ExactIsometry integer_isometry(const Surface& surface, const Word& word);
 
-/// The same on any surface, scaled to determinant 1, in balls of about so many bits; ball arithmetic loses some more on
-/// long words over regular tiles.
+/// 4 cosh² of half of the length of the closed geodesic of a word on rational tiles, exactly: tr² over the determinant.
+[[nodiscard]] mpq_class squared_trace(const Surface& surface, const Word& word);
+
+/// The isometry of a word on any surface, scaled to determinant 1, in balls of about so many bits; ball arithmetic
+/// loses some more on long words over regular tiles.
 [[nodiscard]] certify::BallIsometry ball_isometry(const Surface& surface, const Word& word, slong precision);
 
 }  // namespace epsnet

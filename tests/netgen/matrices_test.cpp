@@ -1,7 +1,9 @@
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
@@ -127,6 +129,79 @@ TEST(Matrices, ThatAreRoundedMeanTheNearestSurface) {
   const Mp256 other = square_of_difference(rounded(exact.generators), rounded(given.generators));
   EXPECT_LT(least, other);
   EXPECT_GT(least, 0);
+}
+
+/// Of the matrices of a surface, with so many decimals.
+MatrixGenerators cut(const MatrixGenerators& exact, const std::vector<Isometry<Mp256>>& generators, int decimals) {
+  MatrixGenerators given;
+  given.model = MatrixModel::su11;
+  given.digits = static_cast<unsigned>(decimals) + 1;  // All numbers that are not 0 are 1 or more, but few.
+  given.relation = exact.relation;
+  const Mp256 scale = pow(Mp256(10), decimals);
+  const auto decimal = [&](const Mp256& x) { return Rational(Mp256(round(Mp256(x * scale)) / scale)); };
+  for (const Isometry<Mp256>& f : generators) {
+    given.generators.push_back({{decimal(f.a.x), decimal(f.a.y)}, {decimal(f.b.x), decimal(f.b.y)}});
+  }
+  return given;
+}
+
+/// The generators of fundamental_polygon, in the disk, rounded to 256 bits.
+std::vector<Isometry<Mp256>> generators_of(const Surface& surface) {
+  std::vector<Isometry<Mp256>> result;
+  std::vector<bool> seen;
+  const FundamentalPolygon polygon = fundamental_polygon(surface);
+  seen.resize(polygon.sides.size());
+  for (std::size_t k = 0; k < polygon.sides.size(); ++k) {
+    if (seen[polygon.sides[k].partner]) continue;
+    seen[k] = true;
+    Isometry<Mp256> f{{Mp256(1), Mp256(0)}, {Mp256(0), Mp256(0)}};
+    for (const SideId s : polygon.sides[k].word) f = normalized(surface.crossing_as<Mp256>(s) * f);
+    result.push_back(f);
+  }
+  return result;
+}
+
+TEST(Matrices, OfFewDecimalsMeanTheSurfaceOrNeedMore) {
+  const std::vector<Surface> surfaces{named_surface("bolza"), named_surface("klein"), random_octagon(5),
+                                      random_octagon(123), Surface::regular(3)};
+  for (const Surface& surface : surfaces) {
+    const std::vector<Isometry<Mp256>> generators = generators_of(surface);
+    int found = 0;
+    for (int decimals = 2; decimals <= 12; ++decimals) {
+      const MatrixGenerators given = cut({}, generators, decimals);
+      try {
+        const MatrixSurface made = surface_of_matrices(given);
+        EXPECT_EQ(made.surface.genus(), surface.genus()) << decimals;
+        EXPECT_LT(made.distance, 100 * std::pow(10.0, -decimals)) << decimals;
+        ++found;
+      } catch (const MatricesError& error) {
+        EXPECT_EQ(error.kind(), Kind::undecided) << error.what();
+        EXPECT_THAT(error.what(), HasSubstr("digits; about")) << decimals;
+        EXPECT_EQ(found, 0) << decimals << " decimals do not do, but fewer did";
+      }
+    }
+    EXPECT_GE(found, 3);
+  }
+}
+
+TEST(Matrices, OfVeryFewDecimalsDoWithARelation) {
+  const MatrixGenerators exact = parse_matrices(write_matrices(random_octagon(5), MatrixModel::su11));
+  std::vector<Isometry<Mp256>> generators;
+  for (const Isometry<Rational>& f : exact.generators) generators.push_back(normalized(convert<Mp256>(f)));
+  for (int decimals = 2; decimals <= 12; ++decimals) {
+    const MatrixSurface made = surface_of_matrices(cut(exact, generators, decimals));
+    EXPECT_EQ(made.surface.genus(), 2U) << decimals;
+    EXPECT_LT(made.distance, 10 * std::pow(10.0, -decimals)) << decimals;
+  }
+}
+
+TEST(Matrices, OfManyDecimalsHaveListsThatAreVerified) {
+  // Lengths of the surface that the decimals are rounded from are equal, and those of the nearest rational one are not.
+  const MatrixSurface made = surface_of_matrices(cut({}, generators_of(named_surface("bolza")), 60));
+  EXPECT_FALSE(made.is_exact);
+  const auto list = spectrum(made.surface, Length("4"));
+  EXPECT_EQ(list.document.geodesics.size(), 12U);
+  for (const auto& cluster : list.document.clusters) EXPECT_FALSE(cluster.count > 1 && cluster.equal);
 }
 
 /// With the tiles they would be exact: field_matrices_test.cpp.
