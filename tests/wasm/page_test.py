@@ -100,10 +100,13 @@ class Page:
             return Object.fromEntries(rows.map(row => [row.textContent, row.nextSibling.textContent]))""")
 
     def drop(self, name: str, content: bytes) -> None:
+        self.begin_drop(name, content)
+        self.rest(name)
+
+    def begin_drop(self, name: str, content: bytes) -> None:
         self.run(f"""const bytes = Uint8Array.from(atob({json.dumps(base64.b64encode(content).decode())}), c => c.charCodeAt(0)), data = new DataTransfer();
             data.items.add(new File([bytes], {json.dumps(name)}));
             for (const type of ['dragover', 'drop']) document.getElementById('make').dispatchEvent(new DragEvent(type, {{bubbles: true, cancelable: true, dataTransfer: data}}))""")
-        self.rest(name)
 
     def saved(self, button: str) -> bytes:
         """The bytes of the file that a button offers."""
@@ -331,6 +334,8 @@ def cancel(page: Page) -> None:
     page.open()
     page.set("epsilon", "0.01")
     page.click("start")
+    page.begin_drop("early.json", b"{}")
+    page.expect("One thing at a time" in page.text("problem"), "a file that is dropped meanwhile is silently forgotten")
     page.click("cancel")
     page.rest("what is cancelled")
     page.expect("cancelled" in page.text("work-text") and page.text("verdict") == "", f"cancelled: {page.text('work-text')} {page.text('verdict')}")

@@ -198,13 +198,16 @@ function setBusy(isBusy, isQuiet = false) {
   if (isBusy && !isQuiet) $('cancel').focus({preventScroll: true});
 }
 
-// Whether something else is going on; an example makes room for `next`.
+// Whether something else is going on, which is said; an example makes room for `next`.
 function isBusyFor(next) {
-  if (running !== null && isExample) {
+  if (running === null) return false;
+  if (isExample) {
     running.abort();
     afterWork(next);
+  } else {
+    $('problem').textContent = 'One thing at a time: cancel what is going on first.';
   }
-  return running !== null;
+  return true;
 }
 // `isFollowed`: the address says it already.
 function make({isFollowed = false} = {}) {
@@ -222,7 +225,8 @@ function make({isFollowed = false} = {}) {
   work(isExample ? `An example, ${titleOf(chosen)}` : 'A net', command, async options => {
     const surface = surfaceOf(chosen), net = await surface.net(chosen.epsilon, {sparse: chosen.kind === 'sparse', pseudo: chosen.kind === 'pseudo', ...options});
     showCertificate(net, titleOf(chosen), [['Save the net', () => net.bytes, '.json']]);
-    await show({net, surface, chosen, title: titleOf(chosen)}, options);
+    // What steps lead to would be made anew for each question: the net has it.
+    await show({net, surface: chosen.steps ? net.surface : surface, chosen, title: titleOf(chosen)}, options);
   });
 }
 // The address, a new one for the way back unless it is the same.
