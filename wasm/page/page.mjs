@@ -339,7 +339,7 @@ function ask(name, command, question, tell, {isDrawn = false, isPicture = false}
       draw(await asked.net.viewerData({title: asked.title, layers: [...asked.shown, file], ...options}), viewer);
       asked.shown.push(file);
     }
-    if (isPicture) parts.push(await pictureOf(file, name, options));
+    if (isPicture) parts.push(...await pictureOf(file, `${asked.title} ${name}`, options));
     parts.push(...(file.certificate ? certificateOf(file) : []), fileButton('Save the file', () => file.bytes, `${asked.title} ${name}`, '.json'));
     const article = document.createElement('article');
     article.append(element('h3', name), ...parts.map(part => typeof part === 'string' ? element('p', part) : part));
@@ -352,9 +352,9 @@ function certificateOf(file) {
   details.append(element('summary', 'Certificate'), certificate);
   return [verdictMark(file.certificate.verdict), element('span', ` by ${file.certificate.verified_by.join(' and ')}`), details];
 }
-async function pictureOf(file, alt, options) {
-  const svg = await file.svg({size: 700, ...options});
-  return Object.assign(new Image(), {alt, src: `data:image/svg+xml,${encodeURIComponent(svg)}`});
+async function pictureOf(file, title, options) {
+  const svg = await file.svg(options);
+  return [Object.assign(new Image(), {alt: title, src: `data:image/svg+xml,${encodeURIComponent(svg)}`}), fileButton('Save the picture', () => svg, title, '.svg')];
 }
 // Curves along which the surface can be cut: those of the answers, each once.
 function addCurves(curves) {
