@@ -26,12 +26,19 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     requested: list[str] = []
     has_service_worker = False  # But for the test of it: what a service worker has kept nobody asks for.
     is_down = False
+    altered = ""  # A file that is not of the version that the service worker is of.
 
     def do_GET(self):
         if self.is_down or (self.path == kServiceWorker and not self.has_service_worker):
             self.send_error(503)
             return
         self.requested.append(self.path)
+        if self.path == self.altered:
+            self.send_response(200)
+            self.send_header("Content-Type", "text/css")
+            self.end_headers()
+            self.wfile.write(b"/* Another version. */")
+            return
         if self.path != kFramePath:
             super().do_GET()
             return
@@ -253,9 +260,16 @@ def symmetries(page: Page) -> None:
 
 
 def offline(page: Page) -> None:
-    """After the first visit the page works without a network: also what it has not loaded before."""
+    """After the first visit the page works without a network: also what it has not loaded before. Files of two versions are not kept."""
+    page.open()
     Handler.has_service_worker = True
     try:
+        Handler.altered = "/page.css"
+        state = page.run("""const {installing} = await navigator.serviceWorker.register('service.js');
+            await new Promise(done => { installing.onstatechange = () => { if (installing.state !== 'installing') done(); }; });
+            return installing.state""")
+        page.expect(state == "redundant", f"a service worker with a file of another version is {state}")
+        Handler.altered = ""
         page.open()
         page.run("await navigator.serviceWorker.ready")
         wait(lambda: page.run("return navigator.serviceWorker.controller !== null"), "the service worker is in charge")
@@ -267,6 +281,7 @@ def offline(page: Page) -> None:
         page.expect("closed geodesic" in page.text("answered"), f"a systole without a network: {page.text('problem')}")
     finally:
         Handler.is_down = Handler.has_service_worker = False
+        Handler.altered = ""
         page.run("""for (const registration of await navigator.serviceWorker.getRegistrations()) await registration.unregister();
             for (const name of await caches.keys()) await caches.delete(name)""")
 
