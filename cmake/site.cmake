@@ -18,6 +18,11 @@ if(TARGET epsnet_python)
     set(has_notebooks TRUE)
   endif()
 endif()
+# Pictures become files, as SVG.
+set(as_files)
+foreach(type image/svg+xml text/html text/markdown text/latex image/png image/jpeg text/plain)
+  list(APPEND as_files --NbConvertBase.display_data_priority=${type})
+endforeach()
 file(GLOB formal CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/formal/*.v)
 file(GLOB notebooks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/notebooks/*.ipynb)
 if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
@@ -31,7 +36,7 @@ if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
     COMMAND ${CMAKE_COMMAND} -E copy ${formal} ${source}/formal
     COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source}/docs/site
-    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python PYDEVD_DISABLE_FILE_VALIDATION=1 ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/python PYDEVD_DISABLE_FILE_VALIDATION=1 ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown ${as_files}
       --execute --output-dir ${source}/docs/notebooks ${notebooks}
     COMMAND ${EPSNET_DOXYGEN} ${site}/Doxyfile
     COMMAND python3 docs/site/reference.py ${site}/xml docs/site/reference ${source}/reference ${names}

@@ -35,7 +35,11 @@ test("surfaces from everywhere", async () => {
   assert.match(version, /^\d+\.\d+\.\d+$/);
   assert(names.some(({ name }) => name === "bolza"));
   assert.equal((await epsnet.named("klein").info()).genus, 3);
+  assert.equal((await epsnet.named("wiman", 7).info()).genus, 7);
+  assert.deepEqual(await epsnet.named("wiman", 7).file(), await epsnet.named("wiman-7").file());
+  assert.equal(await kindOf(epsnet.named("wiman").info()), "SurfaceError");
   assert.equal((await epsnet.regular(4).info()).genus, 4);
+  assert.deepEqual((await epsnet.coordinates({ graph: "theta", lengths: [2], twists: [0] })).edges, [[0, 1], [0, 1], [0, 1]]);
   assert.equal((await epsnet.fenchelNielsen({ graph: "chain", genus: 2, seed: 1 }).info()).genus, 2);
   const { edges, lengths } = await epsnet.coordinates({ graph: "chain", genus: 2, seed: 1 });
   assert.deepEqual([edges.length, lengths.length], [3, 3]);
@@ -62,6 +66,48 @@ test("geodesics, distances, bounds, eigenvalues", async () => {
   assert.match(await eigenvalues.eigenfunctionSvg(1), /class="nodal-lines"/);
   assert.equal(await kindOf(eigenvalues.eigenfunctionSvg(1000)), "ArgumentError");
   assert.equal(await kindOf(surface.eigenvalues({ count: 1, below: 1 })), "ArgumentError");
+});
+
+test("isometries, pants, twists, covers, Dirichlet domains", async () => {
+  const bolza = epsnet.named("bolza");
+  const group = await bolza.isometries();
+  assert.deepEqual([group.order, group.orientation_preserving, group.isometries.length], [96, 48, 96]);
+  assert.equal(group.certificate.verdict, "VERIFIED");
+  assert.equal((await octagon(1).isometries()).name, "C2");
+
+  const surface = octagon(5);
+  const pants = await surface.pants();
+  assert.equal(pants.certificate.verdict, "VERIFIED");
+  assert.deepEqual([pants.own, pants.edges.length, pants.cuffs.length, pants.pants.length], [false, 3, 3, 2]);
+  assert.match(await pants.svg(), /^<svg /);
+  const systole = (await surface.systole()).geodesics[0];
+  const ofOne = await surface.pants({ curves: [systole] });
+  assert(ofOne.cuffs.some(({ length }) => length[0] <= systole.length[1] && systole.length[0] <= length[1]));
+  const again = await pants.fenchelNielsen().systole();
+  assert(Math.abs(again.geodesics[0].length[0] - systole.length[0]) < 1e-9);
+  assert.equal((await pants.fenchelNielsen().pants()).own, true);
+
+  // A Dehn twist changes the marking, a twist the surface.
+  const marked = surface.dehnTwist(systole, -2);
+  assert.equal((await marked.isometricTo(surface)).isometric, "yes");
+  assert.equal((await surface.twist(systole, "1/3").isometricTo(surface)).isometric, "no");
+  assert.deepEqual(await surface.dehnTwistWords(systole, 0), Array.from({ length: 8 }, (_, side) => [side]));
+  assert.equal(await kindOf(surface.dehnTwist([0, 0]).info()), "ArgumentError");
+  assert.equal(await kindOf(surface.pants({ curves: [[-1]] })), "ArgumentError");
+
+  assert.equal((await surface.generators()).length, 4);
+  assert.equal((await surface.cover({ permutations: [[1, 0], [0, 1], [0, 1], [0, 1]] }).info()).genus, 3);
+  const cover = surface.cover({ degree: 3, seed: 1 });
+  assert.equal((await cover.info()).genus, 4);
+  assert.equal((await cover.net("0.7")).certificate.verdict, "VERIFIED");
+  assert.equal(await kindOf(surface.cover({ degree: 51, seed: 1 }).info()), "SurfaceError");
+  const file = epsnet.surfaceFromFile(await surface.file());
+  assert.equal((await file.isometricTo(file.cover({ degree: 1, seed: 1 }))).isometric, "yes");
+
+  const domain = await bolza.dirichletDomain();
+  assert.deepEqual([domain.sides.length, domain.vertices.length], [8, 8]);
+  assert.match(await domain.svg({ size: 300 }), /^<svg [^>]*300/);
+  assert((await bolza.dirichletDomain({ base: { tile: 0, z: ["0.1", "0.2"] } })).sides.length > 8);
 });
 
 test("files are what certify says they are", async () => {

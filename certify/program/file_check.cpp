@@ -164,13 +164,14 @@ FileReport surface_report(FileReport report, std::string_view bytes) {
 FileReport check_bytes(const Request& request, const std::string& path) {
   FileReport report{.name = display_name(path), .path = path};
   Sha256InBackground sum(request.options.threads == 1);
-  std::string bytes;  // Kept for the second checker, if it may be asked about them.
+  std::string bytes;  // Kept for the second checker, if it may be asked about them, and those of a surface file.
   bool seen = false;
   bool kept = true;
+  bool is_surface = false;  // By its beginning: then it is read again, as what it is.
   const auto witness = [&](std::string_view piece) {
-    seen = true;
+    if (!std::exchange(seen, true)) is_surface = is_named_surface(piece);
     sum.add(piece);
-    kept = kept && (request.exact || bytes.size() + piece.size() <= kBytesCheckedTwice);
+    kept = kept && (request.exact || is_surface || bytes.size() + piece.size() <= kBytesCheckedTwice);
     if (kept) {
       bytes += piece;
     } else {
@@ -190,7 +191,7 @@ FileReport check_bytes(const Request& request, const std::string& path) {
     return report;
   } catch (const MalformedError& error) {
     if (seen) report.sha256 = sum.text();
-    if (seen && kept && is_named_surface(bytes)) return surface_report(std::move(report), bytes);
+    if (is_surface) return surface_report(std::move(report), bytes);
     report.certificate = malformed(without_name(error, report));
     ask_about_malformed();
     return report;

@@ -425,35 +425,64 @@ void require_same_surface(const NetGeometry& geometry, const certify::NetDocumen
   if (source.surface != surface) throw NetGeometryError(std::string("these are ") + what + " of another surface");
 }
 
+/// The tile in which the word of a closed geodesic starts.
+std::uint32_t tile_of(const certify::NetDocument& net, const certify::GeodesicsDocument::ClosedGeodesic& geodesic) {
+  return net.charts[net.vertices[geodesic.vertex].chart].tile;
+}
+
+/// How many closed geodesics at the beginning of a file are shortest ones of the surface, as it claims: those of a
+/// systole, or those of a spectrum whose lengths it does not tell apart.
+std::size_t count_of_shortest(const certify::GeodesicsDocument& geodesics) {
+  using Claim = certify::GeodesicsDocument::Claim;
+  if (geodesics.claim == Claim::systole) return geodesics.geodesics.size();
+  return geodesics.claim == Claim::spectrum && !geodesics.clusters.empty() ? geodesics.clusters[0].count : 0;
+}
+
+/// Closed geodesics of a file, from `first` on, before `end`.
+struct GeodesicsRun {
+  std::size_t first;
+  std::size_t end;
+};
+
+/// Returns some closed geodesics of a file, all of them or none shortest ones, as a layer.
+Layer geodesics_layer(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics, GeodesicsRun run) {
+  const certify::NetDocument& source = geodesics.net;
+  require_same_surface(geometry, source, "geodesics");
+  const bool is_shortest = run.first < count_of_shortest(geodesics);
+  const Layer layer{.name = is_shortest ? "shortest closed geodesics" : "closed geodesics",
+                    .colour = is_shortest ? palette::kShortestGeodesics : palette::kGeodesics,
+                    .in_front = true};
+  return with_curves(layer, [&](Layer& result) {
+    const Tiles tiles(geometry);
+    for (std::size_t i = run.first; i < run.end; ++i) {
+      const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics.at(i);
+      const std::uint32_t tile = tile_of(source, geodesic);
+      const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word, {0, 0});
+      Placement near = tiles.near[tile];
+      result.parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
+                              path.length.convert_to<double>(), result.arcs.size()});
+      append_segment(result, geometry, near, path.at(0, 0), path.at(path.length, 0));
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
   const certify::NetDocument& source = geodesics.net;
-  require_same_surface(geometry, source, "geodesics");
-  const auto tile_of = [&](const certify::GeodesicsDocument::ClosedGeodesic& geodesic) {
-    return source.charts[source.vertices[geodesic.vertex].chart].tile;
-  };
+  const std::size_t shortest = count_of_shortest(geodesics);
+  const std::size_t count = geodesics.geodesics.size();
   std::vector<Layer> layers;
-  layers.push_back(
-      with_curves({.name = "closed geodesics", .colour = palette::kGeodesics, .in_front = true}, [&](Layer& layer) {
-        const Tiles tiles(geometry);
-        for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
-          const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics[i];
-          const ClosedPath path = closed_path(geometry, tiles, tile_of(geodesic), geodesic.word, {0, 0});
-          Placement near = tiles.near[tile_of(geodesic)];
-          layer.parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
-                                 path.length.convert_to<double>(), layer.arcs.size()});
-          append_segment(layer, geometry, near, path.at(0, 0), path.at(path.length, 0));
-        }
-      }));
+  if (shortest > 0) layers.push_back(geodesics_layer(geometry, geodesics, {0, shortest}));
+  if (shortest < count || count == 0) layers.push_back(geodesics_layer(geometry, geodesics, {shortest, count}));
   if (geodesics.claim != certify::GeodesicsDocument::Claim::thick_thin) return layers;
   const Layer collars{.name = "collars of small curves", .colour = palette::kSmallCurveCollars};
   layers.push_back(with_curves(collars, [&](Layer& layer) {
     const Tiles tiles(geometry);
     for (const certify::GeodesicsDocument::ClosedGeodesic& geodesic : geodesics.geodesics) {
-      const ClosedPath path = closed_path(geometry, tiles, tile_of(geodesic), geodesic.word, {0, 0});
-      append_equidistants(layer, geometry, tiles.near[tile_of(geodesic)], path,
-                          asinh(Mp256(1 / sinh(Mp256(path.length / 2)))));
+      const std::uint32_t tile = tile_of(source, geodesic);
+      const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word, {0, 0});
+      append_equidistants(layer, geometry, tiles.near[tile], path, asinh(Mp256(1 / sinh(Mp256(path.length / 2)))));
     }
   }));
   return layers;
@@ -495,6 +524,10 @@ std::vector<Layer> collar_layers(const certify::NetDocument& net) { return colla
 
 std::vector<Layer> geodesics_layers(const certify::NetDocument& net, const certify::GeodesicsDocument& geodesics) {
   return geodesics_layers(NetGeometry(net), geodesics);
+}
+
+Layer geodesic_layer(const certify::NetDocument& net, const certify::GeodesicsDocument& geodesics, std::size_t number) {
+  return geodesics_layer(NetGeometry(net), geodesics, {number, number + 1});
 }
 
 Layer distance_layer(const certify::NetDocument& net, const certify::DistanceDocument& distance) {

@@ -78,12 +78,17 @@ struct Layer {
 /// III.9). The triangles do not quite fill the ε-collars. Returns no layers for other nets.
 [[nodiscard]] std::vector<Layer> collar_layers(const certify::NetDocument& net);
 
-/// Returns the closed geodesics of a geodesics file. Each is a part of the first layer, in the file's order. For a
-/// thick-thin decomposition there are also the boundaries of the collars of the small curves. Requires:
-/// `geodesics` was read from a file. The two documents have the same surface, but may have different nets.
-/// Also throws NetGeometryError if the surfaces differ, or if a word is not that of a closed geodesic.
+/// Returns the closed geodesics of a geodesics file: each is a part, in the file's order. The shortest ones of the
+/// surface have a layer and a colour of their own, the first, if the file says which these are: that of a systole, or
+/// those of a spectrum. For a thick-thin decomposition there are also the boundaries of the collars of the small
+/// curves. Requires: `geodesics` was read from a file. The two documents have the same surface, but may have different
+/// nets. Also throws NetGeometryError if the surfaces differ, or if a word is not that of a closed geodesic.
 [[nodiscard]] std::vector<Layer> geodesics_layers(const certify::NetDocument& net,
                                                   const certify::GeodesicsDocument& geodesics);
+
+/// Returns one of them alone, in the colour that it has there. Requires and throws likewise.
+[[nodiscard]] Layer geodesic_layer(const certify::NetDocument& net, const certify::GeodesicsDocument& geodesics,
+                                   std::size_t number);
 
 /// Returns the paths of a distance file, with their ends. Requires: `distance` was read from a file. The two documents
 /// have the same surface, but may have different nets. Also throws NetGeometryError if the surfaces differ.

@@ -163,7 +163,7 @@ class PolygonDrawing {
     for (const PolygonPicture::Curve& curve : picture_.curves) legend.add(epsnet::Mark::line, curve.colour, curve.name);
     for (const PolygonPicture::Disk& disk : picture_.disks) legend.add(epsnet::Mark::area, disk.colour, disk.name);
     for (const std::string& what : picture_.left_out) legend.add_text_row("left out: " + what);
-    constexpr std::uint32_t kMostPairs = 24;
+    constexpr std::uint32_t kMostPairs = 16;  // More rows would lie on the domain.
     if (pairs_ > kMostPairs || pairs_ == 0) {
       if (pairs_ > 0) legend.add_text_row("sides of one colour are glued to each other");
       return legend.group();

@@ -24,6 +24,7 @@ inline constexpr const char* kTiles = "#00909e";
 inline constexpr const char* kCollarTriangles = "#e8c000";
 inline constexpr const char* kEpsilonCollars = "#85510f";
 inline constexpr const char* kGeodesics = "#b5197f";
+inline constexpr const char* kShortestGeodesics = "#6e0d12";
 inline constexpr const char* kSmallCurveCollars = "#7fae00";
 inline constexpr const char* kPaths = "#5a2ee0";
 

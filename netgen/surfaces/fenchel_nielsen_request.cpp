@@ -52,12 +52,13 @@ bool has_all_coordinates(const FenchelNielsenRequest& request) {
   return !request.lengths.empty() && !request.twists.empty();
 }
 
-/// Adds what the lists imply: the genus, of which they have 3g - 3 numbers; for genus 2 the graph theta, if nothing is
-/// to be drawn.
+/// Adds what lists and graph imply: the genus, of which lists have 3g - 3 numbers, and theta has 2; for genus 2 the
+/// graph theta, if nothing is to be drawn.
 FenchelNielsenRequest completed(FenchelNielsenRequest request) {
   const std::size_t edges = std::max(request.lengths.size(), request.twists.size());
   if (!request.genus && !has_edges(request.graph) && edges > 1 && edges % 3 == 0)
     request.genus = static_cast<std::uint32_t>(edges / 3 + 1);
+  if (!request.genus && request.graph == "theta") request.genus = 2;
   if (request.graph.empty() && !request.seed && request.genus == 2 && has_all_coordinates(request))
     request.graph = "theta";
   return request;

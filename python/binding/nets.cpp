@@ -86,19 +86,6 @@ py::tuple arrays_of(Geometry geometry) {
                         owned(std::move(geometry.lengths), {count, 3}), owned(std::move(geometry.centred), {count, 3}));
 }
 
-/// One closed geodesic alone.
-Layer geodesic_layer(const NetDocument& net, const certify::GeodesicsDocument& geodesics, std::size_t number) {
-  Layer layer = geodesics_layers(net, geodesics).front();
-  if (!layer.left_out.empty()) return layer;
-  const std::size_t first = layer.parts.at(number).first_arc;
-  const std::size_t last = number + 1 < layer.parts.size() ? layer.parts[number + 1].first_arc : layer.arcs.size();
-  layer.arcs = {layer.arcs.begin() + static_cast<std::ptrdiff_t>(first),
-                layer.arcs.begin() + static_cast<std::ptrdiff_t>(last)};
-  layer.parts = {layer.parts[number]};
-  layer.parts.front().first_arc = 0;
-  return layer;
-}
-
 std::string page(const NetDocument& net, const std::string& title, const std::optional<certify::Certificate>& verdict,
                  const std::vector<Layer>& more) {
   ViewerOptions options{.title = title, .certificate = verdict, .layers = standard_layers(net)};

@@ -8,6 +8,7 @@ from . import _epsnet
 from ._annotations import Surface
 from ._arguments import Number, as_fraction, as_index, as_threads, refuse
 from ._documents import Core, Document
+from ._pictures import Drawn
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .intervals import Interval, arcosh
@@ -31,7 +32,7 @@ class _Measured(Document, Interval):
         return Net(self._core.net, self._surface, None)
 
 
-class Distance(_Measured):
+class Distance(Drawn, _Measured):
     """The distance between two points p and q, as an interval, with all geodesics between them of length up to its upper end.
 
     >>> import epsnet
@@ -72,11 +73,8 @@ class Distance(_Measured):
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return [net.distance_layer(self._core)]
 
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
-
-class Cover(_Measured):
+class Cover(Drawn, _Measured):
     """The maximum of a function on a surface, or the minimum, as an interval, proved cell by cell."""
 
     _core: "_epsnet.Cover"
@@ -99,9 +97,6 @@ class Cover(_Measured):
     def svg(self, size: int = 600) -> str:
         """Where it is attained, in the Dirichlet domain of ``point``."""
         return self._core.svg(as_index(size, "size", 50, 20000))
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
 
 class _Attained(Cover):
@@ -133,7 +128,7 @@ class EmbeddedDisk(Cover):
     """The radius of the largest embedded disk of a surface, as an interval; its centre is near ``point``."""
 
 
-class Eccentricity(Interval):
+class Eccentricity(Drawn, Interval):
     """The greatest distance of a point of the surface from a given one, as an interval."""
 
     def __init__(self, net: Net) -> None:
@@ -163,9 +158,6 @@ class Eccentricity(Interval):
     def svg(self, size: int = 600) -> str:
         """The point in the centre of its Dirichlet domain, and those that are farthest from it."""
         return self.net._core.eccentricity_svg(as_index(size, "size", 50, 20000))
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Eccentricity, (self.net,)

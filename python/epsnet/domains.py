@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, Optional
 from . import _epsnet
 from ._annotations import Surface
 from ._arguments import Path, as_index, as_path
+from ._pictures import Drawn
 from .isometries import Gaussian, Isometry
 from .points import BasePoint
 
@@ -24,7 +25,7 @@ class PolygonSide(NamedTuple):
     side: int
 
 
-class FundamentalPolygon:
+class FundamentalPolygon(Drawn):
     """The tiles of a surface as one polygon in the disk of tile 0. Its images under the group tile the plane (Poincaré's theorem).
 
     >>> import epsnet
@@ -64,8 +65,9 @@ class FundamentalPolygon:
     def __repr__(self) -> str:
         return f"<FundamentalPolygon with {len(self.sides)} sides>"
 
-    def _repr_svg_(self) -> str:
-        return self.surface.svg()
+    def svg(self, size: int = 600) -> str:
+        """The tiles, as the surface shows them."""
+        return self.surface.svg(size)
 
 
 class DirichletSide(NamedTuple):
@@ -79,7 +81,7 @@ class DirichletSide(NamedTuple):
     distance: float
 
 
-class DirichletDomain:
+class DirichletDomain(Drawn):
     """The points that are nearer to one lift of a point than to its other lifts. Sides and pairings are read off a verified
     triangulation; vertices are rounded."""
 
@@ -112,9 +114,6 @@ class DirichletDomain:
         """A summary: how far the sides and the vertices are from the base point. Rounded, not proved."""
         facts: dict[str, Any] = json.loads(self._core.info())
         return facts
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
     def __eq__(self, other: object) -> bool:
         """Whether the surfaces and the base points are equal."""

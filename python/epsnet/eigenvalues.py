@@ -13,6 +13,7 @@ from ._annotations import Surface
 from ._arguments import Number, as_choice, as_fraction, as_index, as_threads, length_text, refuse
 from ._documents import Document
 from ._immutable import Immutable
+from ._pictures import Drawn
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .errors import ArgumentError
@@ -39,7 +40,7 @@ class EigenvalueEnclosure:
     count: int
 
 
-class Eigenfunction(Immutable):
+class Eigenfunction(Drawn, Immutable):
     """A function around each vertex of a net, which nearly fit together: near an eigenfunction. Its values are rounded, not proved."""
 
     def __init__(self, eigenvalues: "Eigenvalues", index: int) -> None:
@@ -82,9 +83,6 @@ class Eigenfunction(Immutable):
         core = self._eigenvalues._core
         return core.eigenfunction_svg(self._index, as_index(centre, "centre"), breadth_first, as_index(size, "size", 50, 20000))
 
-    def _repr_svg_(self) -> str:
-        return self.svg()
-
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Eigenfunction) and self._index == other._index and self._eigenvalues == other._eigenvalues
 
@@ -95,7 +93,7 @@ class Eigenfunction(Immutable):
         return f"<Eigenfunction of λ_{self._index} in {self._interval}>"
 
 
-class Eigenvalues(Document, Sequence[EigenvalueEnclosure]):
+class Eigenvalues(Drawn, Document, Sequence[EigenvalueEnclosure]):
     """The first eigenvalues of the Laplacian, with multiplicity, in increasing order. 0, of the constant functions, is left out."""
 
     _core: "_epsnet.Eigenvalues"
@@ -133,9 +131,6 @@ class Eigenvalues(Document, Sequence[EigenvalueEnclosure]):
     def svg(self, size: int = 600) -> str:
         """The intervals, and how many eigenvalues are below each place, at least and at most, as SVG of this width."""
         return self._core.svg(as_index(size, "size", 50, 20000))
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
     def __len__(self) -> int:
         return len(self._rows)

@@ -11,6 +11,7 @@ from . import _epsnet
 from ._annotations import Surface
 from ._arguments import Number, Path, as_index, as_threads, length_text
 from ._documents import Document
+from ._pictures import Drawn
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .intervals import Interval, ends
@@ -64,7 +65,7 @@ class Piece(NamedTuple):
     boundaries: list[tuple[int, str]]
 
 
-class ClosedGeodesic:
+class ClosedGeodesic(Drawn):
     """A primitive closed geodesic, up to orientation."""
 
     def __init__(self, geodesics: "ClosedGeodesics", number: int, vertex: int, tile: int, word: Sequence[int], length: tuple[float, float], simple: bool) -> None:
@@ -112,14 +113,11 @@ class ClosedGeodesic:
     def __reduce__(self) -> tuple[Any, ...]:
         return ClosedGeodesics.__getitem__, (self._geodesics, self.number)
 
-    def _repr_svg_(self) -> str:
-        return self.svg()
-
     def __repr__(self) -> str:
         return f"<ClosedGeodesic of length {self.length}{'' if self.simple else ', not simple'}>"
 
 
-class ClosedGeodesics(Document, Sequence[ClosedGeodesic]):
+class ClosedGeodesics(Drawn, Document, Sequence[ClosedGeodesic]):
     """A list of closed geodesics that is proved to be complete, ordered by length."""
 
     _core: "_epsnet.Geodesics"
@@ -190,9 +188,6 @@ class ClosedGeodesics(Document, Sequence[ClosedGeodesic]):
     def __hash__(self) -> int:
         return hash((len(self), self.up_to))
 
-    def _repr_svg_(self) -> str:
-        return self.svg()
-
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {len(self)} up to length {self.up_to}{'' if self.proved else ', not proved'}>"
 
@@ -209,7 +204,7 @@ class ThickThin(ClosedGeodesics):
         return f"<ThickThin: {len(self)} small curves{'' if self.proved else ', not proved'}>"
 
 
-class Systole(Interval):
+class Systole(Drawn, Interval):
     """The length of a shortest closed geodesic, as an interval, with the geodesic."""
 
     __slots__ = ("_geodesics",)
@@ -251,9 +246,6 @@ class Systole(Interval):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Systole, (self._geodesics,)
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
 
 _EPSILON = "1"  # Of the net from which a search starts; any gives the same list.

@@ -16,6 +16,7 @@ from ._arguments import (
     refuse,
 )
 from ._documents import Document, certified, read
+from ._pictures import Drawn
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .errors import FormatError, LimitError, NotVerifiedError
@@ -156,7 +157,7 @@ class DistanceTable:
         return f"<DistanceTable: {len(self.rows)} x {len(self.columns)}, error at most {self.error:.2g}>"
 
 
-class Net(Document):
+class Net(Drawn, Document):
     """An ε-net of a surface with its Delaunay triangulation.
 
     >>> import epsnet
@@ -444,9 +445,6 @@ class Net(Document):
                 refuse("closed geodesics, distances or spectra", shown, "show")
             layers += shown._layers_on(self._core)
         return layers
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
     def view(self, title: str = "", *, show: Iterable[Any] = (), height: int = 640) -> "Page":
         """A page to travel in the surface, with the verdict of the net: in a notebook, or ``.save("view.html")``."""

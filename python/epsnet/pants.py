@@ -9,6 +9,7 @@ from . import _epsnet
 from ._annotations import Surface
 from ._arguments import as_flag, as_fraction, as_index, as_indices, as_items, as_threads
 from ._documents import Document
+from ._pictures import Drawn
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .errors import ArgumentError
@@ -74,7 +75,7 @@ def _cuff(decomposition: "PantsDecomposition", number: int) -> Cuff:
     return decomposition.cuffs[number]
 
 
-class PantsDecomposition(Document):
+class PantsDecomposition(Drawn, Document):
     """Pairs of pants of which a surface is glued, with its Fenchel–Nielsen coordinates, and what proves it: the contents of a pants file."""
 
     _core: "_epsnet.PantsDecomposition"
@@ -118,9 +119,6 @@ class PantsDecomposition(Document):
     def svg(self, size: int = 600) -> str:
         """The cuffs, 200 at most, in a Dirichlet domain of the surface."""
         return self._core.svg(as_index(size, "size", 50, 20000))
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
     def fenchel_nielsen(self, twists: Optional[Sequence[Any]] = None) -> "Surface":
         """The surface of these coordinates, with the middles of the intervals: isometric to the given one up to rounding. ``twists``: others.

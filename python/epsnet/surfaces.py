@@ -16,6 +16,7 @@ from ._arguments import (
 )
 from ._documents import Document, read
 from ._immutable import Immutable
+from ._pictures import Drawn
 from ._progress import Progress
 from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
@@ -46,7 +47,7 @@ def _matrix_text(x: Any) -> str:
     return str(x) if isinstance(x, decimal.Decimal) else as_text(x, "generators")
 
 
-class Surface(Immutable):
+class Surface(Drawn, Immutable):
     """A closed hyperbolic surface, exactly: convex polygons (tiles) in the Poincaré disk, glued side to side by isometries. Immutable.
 
     Surfaces are made by ``octagon``, ``fenchel_nielsen``, ``regular``, ``named``, ``map``, ``load``, or of tiles and their gluing:
@@ -775,9 +776,6 @@ class Surface(Immutable):
     def svg(self, size: int = 600) -> str:
         """The tiles, laid out around one of them; sides that are glued to each other have one colour."""
         return self._core.svg(as_index(size, "size", 50, 20000))
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
 
 
 def _unpickled(text: bytes, name: str) -> Surface:

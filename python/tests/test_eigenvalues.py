@@ -65,7 +65,7 @@ def test_the_picture_of_an_eigenfunction(found):
     assert "values" in groups and "nodal-lines" in groups
     assert len({svg, function.svg(size=200), function.svg(size=300, centre=2), function.svg(size=300, order="breadth first"),
                 found.eigenfunction(2).svg(size=300)}) == 5
-    assert function._repr_svg_() == function.svg()
+    assert function._repr_mimebundle_()["image/svg+xml"] == function.svg()
     with pytest.raises(epsnet.NetError):
         function.svg(centre=10**6)
 
@@ -96,7 +96,7 @@ def test_the_picture_has_a_band_for_each_row(found):
     assert (root.get("width"), root.get("height")) == ("700", "434")
     bands = next(group for group in root if group.get("class") == "enclosures")
     assert len(bands) == len(found)
-    assert found._repr_svg_() == found.svg() != found.svg(700)
+    assert found._repr_mimebundle_()["image/svg+xml"] == found.svg() != found.svg(700)
     with pytest.raises(epsnet.ArgumentError):
         found.svg(1)
 

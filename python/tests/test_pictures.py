@@ -1,4 +1,5 @@
 """Pictures and pages: well-formed, and of what they should be."""
+import base64
 import re
 import warnings
 import xml.etree.ElementTree as ElementTree
@@ -23,7 +24,18 @@ def test_everything_shows_itself(octagon, bolza, pants, net):
         octagon.eigenvalues(1, digits=2), octagon.eigenvalues(1, digits=4).eigenfunction(1),
     ]
     for thing in shown:
-        assert paths(thing._repr_svg_()) > 1
+        assert paths(thing._repr_mimebundle_()["image/svg+xml"]) > 1
+
+
+def test_notebooks_become_pages_with_their_pictures(octagon):
+    """Also where nbconvert removes SVG."""
+    nbformat = pytest.importorskip("nbformat.v4")
+    nbconvert = pytest.importorskip("nbconvert")
+    output = nbformat.new_output("display_data", octagon._repr_mimebundle_())
+    notebook = nbformat.new_notebook(cells=[nbformat.new_code_cell("octagon", outputs=[output])])
+    page, _ = nbconvert.HTMLExporter(template_name="basic").from_notebook_node(notebook)
+    source = re.search('<img alt="&lt;Surface octagon[^"]*" src="data:image/svg.xml;base64,([^"]+)"', page)
+    assert source and base64.b64decode(source[1]).decode() == octagon.svg()
 
 
 def test_options_change_the_picture(net):
@@ -53,7 +65,7 @@ def test_thin_nets_are_drawn():
         warnings.simplefilter("error")
         assert paths(net.svg(tiles=True, dirichlet=True)) > 1
         assert "left out" not in net.view().html
-        assert paths(surface.systole()._repr_svg_()) > 1
+        assert paths(surface.systole()._repr_mimebundle_()["image/svg+xml"]) > 1
 
 
 def test_geodesics_are_drawn_on_nets(octagon, net):

@@ -121,6 +121,13 @@ no_claim='this is a surface file, which claims nothing; epsnet net FILE --epsilo
 expect 5 "NO CLAIM: \"$surface\": $no_claim" "$surface"
 expect 5 "NO CLAIM: standard input: $no_claim" - <"$surface"
 expect 5 "NO CLAIM: \"$surface\": $no_claim" "$good" "$surface" "$malformed"
+# However large: what is read in chunks, and not kept for the second checker, likewise.
+large=$scratch/large.json
+{ cat "$surface"; head -c 5000000 /dev/zero | tr '\0' ' '; } >"$large"
+expect 5 "NO CLAIM: \"$large\": $no_claim" "$large"
+expect 5 "NO CLAIM: standard input: $no_claim" - <"$large"
+{ cat "$large"; echo x; } >"$scratch/large-malformed.json"
+expect 3 "MALFORMED: \"$scratch/large-malformed.json\": " "$scratch/large-malformed.json"
 expect 5 '{"verdict": null, "file": ' --json "$surface"
 "$certify" --json "$surface" | grep -Fq "\"no_claim\": \"$no_claim\"}" || fail "--json of a surface file"
 "$certify" "$surface" | grep -v -e '^sha256: ' -e '^NO CLAIM: ' && fail "$surface: more than that it claims nothing"

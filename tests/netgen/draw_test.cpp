@@ -483,6 +483,7 @@ struct EverythingShown {
     options.layers = collar_layers(geometry);
     options.layers.push_back(tile_layer(geometry));
     for (Layer& layer : geodesics_layers(geometry, unproved::thick_thin(surface))) options.layers.push_back(layer);
+    options.layers.push_back(geodesics_layers(geometry, unproved::systole(surface))[0]);
   }
   certify::NetDocument net;
   DrawOptions options;

@@ -303,6 +303,7 @@ TEST(FenchelNielsenRequest, WhatIsGivenIsCheckedBeforeASeedIsAskedFor) {
   EXPECT_EQ(blamed(R"({"genus": 3, "lengths": [1], "twists": [0]})"), "graph");
   EXPECT_EQ(blamed(R"({"lengths": [1, 1, 1, 1, 1, 1], "twists": [0]})"), "graph");
   EXPECT_EQ(blamed(R"({"genus": 3, "graph": "theta", "seed": 1})"), "graph");
+  EXPECT_EQ(resolve(parse_fenchel_nielsen(R"({"graph": "theta", "seed": 1})")).graph.genus(), 2U);
   EXPECT_EQ(blamed(R"({"graph": "ring", "genus": 2, "lengths": [1], "twists": [0]})"), "nothing");
 }
 

@@ -12,6 +12,7 @@
 #include "certify/net/darts.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
@@ -379,6 +380,29 @@ TEST(Curves, ArcsAreInTheirTriangles) {
       }
     }
   }
+}
+
+TEST(Curves, ShortestGeodesicsHaveALayerOfTheirOwn) {
+  const certify::GeodesicsDocument spectrum = unproved::spectrum(random_octagon(123), Length("3.5"));
+  const std::size_t shortest = spectrum.clusters.at(0).count;
+  ASSERT_LT(shortest, spectrum.geodesics.size());
+  const std::vector<Layer> layers = geodesics_layers(spectrum.net, spectrum);
+  ASSERT_EQ(layers.size(), 2U);
+  EXPECT_EQ(layers[0].name, "shortest closed geodesics");
+  EXPECT_EQ(layers[0].parts.size(), shortest);
+  EXPECT_EQ(layers[1].parts.size(), spectrum.geodesics.size() - shortest);
+  EXPECT_NE(layers[0].colour, layers[1].colour);
+  // Numbers are those of the file, and one alone looks the same.
+  const std::size_t last = spectrum.geodesics.size() - 1;
+  EXPECT_EQ(layers[1].parts.back().name.substr(0, 9 + std::to_string(last).size()), "geodesic " + std::to_string(last));
+  const Layer alone = geodesic_layer(spectrum.net, spectrum, last);
+  EXPECT_EQ(alone.colour, layers[1].colour);
+  ASSERT_EQ(alone.parts.size(), 1U);
+  EXPECT_EQ(alone.parts[0].name, layers[1].parts.back().name);
+  EXPECT_EQ(geodesic_layer(spectrum.net, spectrum, 0).colour, layers[0].colour);
+  const std::vector<Layer> systole = geodesics_layers(spectrum.net, unproved::systole(random_octagon(123)));
+  ASSERT_EQ(systole.size(), 1U);
+  EXPECT_EQ(systole[0].colour, layers[0].colour);
 }
 
 TEST(Curves, AClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {

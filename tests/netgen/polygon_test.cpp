@@ -152,6 +152,37 @@ TEST(PolygonPicture, OfADirichletDomainHasLabelledSidesWithPairsInOneColour) {
   EXPECT_THAT(svg, Not(HasSubstr("class=\"edges\""))) << "no fan of triangles";
 }
 
+TEST(PolygonPicture, LabelsAndLegendDoNotOverlap) {
+  for (const char* name : {"klein", "bring", "fricke-macbeath"}) {
+    const Surface surface = named_surface(name);
+    for (const std::string& svg :
+         {draw_svg(picture_of(surface)), draw_svg(picture_of(dirichlet_polygon(surface, {})))}) {
+      struct Label {
+        double x, y, half_width;
+      };
+      std::vector<Label> labels;
+      const std::size_t begin = svg.find("<g class=\"labels\"");
+      const std::string group = svg.substr(begin, svg.find("</g>", begin) - begin);
+      const std::regex text("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\"[^>]*>([0-9]+)</text>");
+      for (std::sregex_iterator it(group.begin(), group.end(), text), end; it != end; ++it) {
+        labels.push_back(
+            {std::stod((*it)[1]), std::stod((*it)[2]), 0.28 * 16 * static_cast<double>((*it)[3].length())});
+      }
+      ASSERT_GT(labels.size(), 10U);
+      for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const Label& a = labels[i];
+          const Label& b = labels[j];
+          EXPECT_TRUE(std::abs(a.x - b.x) > a.half_width + b.half_width || std::abs(a.y - b.y) > 12) << name;
+        }
+      }
+    }
+  }
+  // So many pairs of sides are not listed where the domain is.
+  EXPECT_THAT(draw_svg(picture_of(dirichlet_polygon(named_surface("fricke-macbeath"), {}))),
+              HasSubstr(">sides of one colour are glued to each other<"));
+}
+
 TEST(PolygonPicture, OfASurfaceIsACentredPolygonOfItsTiles) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     const PolygonPicture picture = picture_of(named.surface);

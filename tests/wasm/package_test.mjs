@@ -15,10 +15,15 @@ await refused(surface.svg({ colour: "none" }), 'unknown option "colour", expecte
 await refused(epsnet.certify("{}", { fast: true }), 'unknown option "fast", expected name, exact, signal, progress');
 await refused(epsnet.svg("{}", { color: "none" }), 'unknown option "color", expected size, centre, colour, legend, show, eigenfunction, signal, progress');
 await refused(epsnet.about({ x: 1 }), 'unknown option "x", expected signal, progress');
+await refused(surface.pants({ curve: [] }), 'unknown option "curve", expected curves, find, signal, progress');
+await refused(surface.isometries({ proof: true }), 'unknown option "proof", expected signal, progress');
+await refused(surface.dirichletDomain({ point: {} }), 'unknown option "point", expected base, signal, progress');
+assert.throws(() => surface.cover({ sheets: 3 }), { kind: "ArgumentError", message: 'unknown option "sheets", expected permutations, degree, seed, signal, progress' });
 
 // A number that is none is named as it was given.
 await refused(surface.net(NaN), "epsilon: expected a number, not NaN");
 await refused(surface.spectrum(-Infinity), "up_to: expected a number, not -Infinity");
 await refused(surface.distance({ tile: 0, z: [0, Infinity] }, { tile: 0 }), "z: expected a number, not Infinity");
 await refused(epsnet.octagon(NaN).info(), "octagon: expected a number, not NaN");
+await refused(surface.twist([0], NaN).info(), "by: expected a number, not NaN");
 await refused(epsnet.coordinates({ genus: NaN }), "genus: expected a number, not NaN");

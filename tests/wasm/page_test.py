@@ -24,9 +24,21 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".mjs": "text/javascript", ".wasm": "application/wasm"}
 
     requested: list[str] = []
+    has_service_worker = False  # But for the test of it: what a service worker has kept nobody asks for.
+    is_down = False
+    altered = ""  # A file that is not of the version that the service worker is of.
 
     def do_GET(self):
+        if self.is_down or (self.path == kServiceWorker and not self.has_service_worker):
+            self.send_error(503)
+            return
         self.requested.append(self.path)
+        if self.path == self.altered:
+            self.send_response(200)
+            self.send_header("Content-Type", "text/css")
+            self.end_headers()
+            self.wfile.write(b"/* Another version. */")
+            return
         if self.path != kFramePath:
             super().do_GET()
             return
@@ -43,8 +55,14 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
+class Server(http.server.ThreadingHTTPServer):
+    def handle_error(self, *_):
+        """Browsers hang up when they leave a page."""
+
+
 # What a first net does not need of the module.
 kDeferred = "/module.deferred.wasm"
+kServiceWorker = "/service.js"
 
 
 class Page:
@@ -72,6 +90,11 @@ class Page:
                      for (const type of ['input', 'change']) box.dispatchEvent(new Event(type, {{bubbles: true}}))""")
 
     def open(self, hash: str = "") -> None:
+        """With the example that is there on arrival, or what the link says."""
+        self.arrive(hash)
+        self.rest("what is there on arrival")
+
+    def arrive(self, hash: str = "") -> None:
         self.browser.go(self.address + hash)
         wait(lambda: self.run("return document.getElementById('commands').textContent !== ''"), "the page is there")
 
@@ -84,10 +107,13 @@ class Page:
             return Object.fromEntries(rows.map(row => [row.textContent, row.nextSibling.textContent]))""")
 
     def drop(self, name: str, content: bytes) -> None:
+        self.begin_drop(name, content)
+        self.rest(name)
+
+    def begin_drop(self, name: str, content: bytes) -> None:
         self.run(f"""const bytes = Uint8Array.from(atob({json.dumps(base64.b64encode(content).decode())}), c => c.charCodeAt(0)), data = new DataTransfer();
             data.items.add(new File([bytes], {json.dumps(name)}));
             for (const type of ['dragover', 'drop']) document.getElementById('make').dispatchEvent(new DragEvent(type, {{bubbles: true, cancelable: true, dataTransfer: data}}))""")
-        self.rest(name)
 
     def saved(self, button: str) -> bytes:
         """The bytes of the file that a button offers."""
@@ -109,10 +135,15 @@ class Page:
 
 def first_net(page: Page, certify: str) -> None:
     Handler.requested.clear()
-    page.open()
+    page.arrive()
     page.keep("start")
     page.expect(page.run("return innerWidth") == page.size[0], "the screen is not as wide as it should be")
-    page.expect(page.text("verdict") == "" and page.run("return document.getElementById('certificate').hidden"), "a verdict before anything was asked")
+    visible = page.run("return [document.getElementById('verdict').textContent, document.getElementById('cancel').disabled]")
+    page.expect(visible[0] == "" or visible[1], "a verdict before anything was proved")
+    page.rest("the example")
+    page.expect(page.text("verdict") == "VERIFIED" and "An example, octagon 123" in page.text("work-text"), f"the example: {page.text('work-text')}")
+    page.expect(page.run("return document.activeElement === document.body && location.hash === ''"), "the example took the focus or the address")
+    page.set("seed", "124")
     page.click("start")
     page.rest("a net")
     page.expect(page.text("verdict") == "VERIFIED", f"the first net: {page.text('verdict')} {page.text('problem')}")
@@ -131,6 +162,16 @@ def first_net(page: Page, certify: str) -> None:
                 "something was asked from elsewhere")
 
 
+def example_makes_room(page: Page) -> None:
+    """Whoever asks for something while the example is made gets it."""
+    page.arrive()
+    page.set("seed", "7")
+    page.click("start")
+    wait(lambda: "octagon 7" in page.text("certificate-heading"), "a net that is asked for during the example")
+    page.rest("that net")
+    page.expect("seed=7" in page.run("return location.hash"), "the address after an example that made room")
+
+
 def questions(page: Page) -> None:
     page.click("systole")
     page.rest("the systole")
@@ -146,6 +187,103 @@ def questions(page: Page) -> None:
     page.rest("a distance")
     page.expect("the distance is " in page.text("answered"), f"the distance: {page.text('answered')[:200]} {page.text('problem')}")
     page.keep("questions")
+    page.set("up-to", "3.5")
+    page.click("spectrum")
+    page.rest("the spectrum")
+    colours = page.run("""return [...document.querySelectorAll('#layers label')].filter(row => row.textContent.includes('closed geodesics'))
+        .map(row => [row.textContent, row.querySelector('.mark').style.background])""")
+    page.expect(len({colour for name, colour in colours if "shortest" in name}) == 1 and len({colour for _, colour in colours}) == 2,
+                f"systole and other geodesics are not told apart: {colours}")
+
+
+def symmetries(page: Page) -> None:
+    """Isometries, pairs of pants, Dirichlet domains; and surfaces made of others."""
+    page.open("#name=bolza&epsilon=1/3")
+    page.expect("1/3" in page.verdicts().get("epsilon", ""), f"ε is not as it was given: {page.verdicts()}")
+    for id, text in (("isometries", "48 preserve the orientation: 1 of order 1"), ("pants", "cuff 2, of pants 0 and 1"), ("dirichlet", "8 sides")):
+        page.click(id)
+        page.rest(id)
+        page.expect(text in page.text("answered"), f"{id}: {page.text('answered')[:200]} {page.text('problem')}")
+    wait(lambda: page.run("return [...document.querySelectorAll('#answered img')].every(image => image.complete)"), "pictures of answers")
+    page.expect(page.run("return [...document.querySelectorAll('#answered img')].filter(image => image.naturalWidth > 0).length") == 2, "no pictures of answers")
+    page.run("document.getElementById('answered').scrollIntoView()")
+    page.keep("answers")
+    page.run("scrollTo(0, 0)")
+    # The coordinates of the pants become those of the form; the graph shows which cuff is which.
+    page.run("[...document.querySelectorAll('#answered button')].find(button => button.textContent.startsWith('Take these')).click()")
+    page.expect(page.run("return document.getElementById('surface').value") == "fenchel-nielsen" and page.text("of-before") != "", "the coordinates of pants")
+    wait(lambda: page.run("return document.querySelectorAll('#pants-graph g').length") == 3, "a picture of the graph of pants")
+    page.run("document.querySelectorAll('#pants-graph g')[1].dispatchEvent(new MouseEvent('click', {bubbles: true}))")
+    page.expect(page.run("return document.querySelectorAll('.cuff')[1].open && document.querySelectorAll('#pants-graph g')[1].classList.contains('chosen')"),
+                "the graph does not lead to its cuffs")
+    page.keep("cuffs")
+    page.click("start")
+    page.rest("the surface of pants")
+    page.expect(page.text("verdict") == "VERIFIED", f"the surface of pants: {page.text('problem')}")
+    # A cover and twists, and the link to them.
+    page.open("#seed=5&epsilon=0.5")
+    page.expect(page.run("return document.getElementById('twist').disabled"), "a twist without a curve")
+    page.click("cover")
+    page.rest("a cover")
+    page.expect(page.text("verdict") == "VERIFIED" and "steps=cover%3A2%3A1" in page.run("return location.hash"), f"a cover: {page.text('problem')}")
+    page.expect("--degree 2 --seed 1 -o s1.json" in page.text("commands"), f"the commands of a cover: {page.text('commands')}")
+    page.run("document.querySelector('#steps button').click()")
+    page.expect(page.text("of-before") != "" and page.run("return document.getElementById('steps').children.length") == 0, "a step that is removed")
+    page.click("start")
+    page.rest("the surface again")
+    page.click("systole")
+    page.rest("its systole")
+    for id, value in (("dehn-twist", "-2"), ("twist", "1/2")):
+        page.set("power" if id == "dehn-twist" else "by", value)
+        page.click(id)
+        page.rest(id)
+        page.expect(page.text("verdict") == "VERIFIED" and f"{id}%3A" in page.run("return location.hash"), f"{id}: {page.text('problem')}")
+        page.run("history.back()")
+        wait(lambda: page.run("return document.getElementById('steps').children.length") == 0 and page.text("verdict") == "VERIFIED", "the way back")
+        page.rest("the way back")
+        page.click("systole")
+        page.rest("its systole")
+    page.set("degree", "x")
+    page.click("cover")
+    page.expect("cover:x:1: expected a cover or a twist" in page.text("problem"), f"a cover with x sheets: {page.text('problem')}")
+    # Families of named surfaces, of any genus, and graphs that fit to the genus.
+    page.open("#name=wiman-7&epsilon=0.9")
+    page.expect(page.text("verdict") == "VERIFIED" and page.run("return document.getElementById('name-genus').value") == "7", f"wiman-7: {page.text('problem')}")
+    page.set("name-genus", "5")
+    page.click("start")
+    page.rest("wiman-5")
+    page.expect("genus 5" in page.run("return document.getElementById('facts').textContent") or "wiman-5" in page.text("certificate-heading"), "wiman-5")
+    page.open("#genus=2&graph=theta&epsilon=0.5")
+    page.expect(page.text("verdict") == "VERIFIED", f"theta: {page.text('problem')}")
+    page.set("genus", "3")
+    page.expect(page.run("return document.getElementById('graph').value") == "chain", "theta has no genus 3")
+
+
+def offline(page: Page) -> None:
+    """After the first visit the page works without a network: also what it has not loaded before. Files of two versions are not kept."""
+    page.open()
+    Handler.has_service_worker = True
+    try:
+        Handler.altered = "/page.css"
+        state = page.run("""const {installing} = await navigator.serviceWorker.register('service.js');
+            await new Promise(done => { installing.onstatechange = () => { if (installing.state !== 'installing') done(); }; });
+            return installing.state""")
+        page.expect(state == "redundant", f"a service worker with a file of another version is {state}")
+        Handler.altered = ""
+        page.open()
+        page.run("await navigator.serviceWorker.ready")
+        wait(lambda: page.run("return navigator.serviceWorker.controller !== null"), "the service worker is in charge")
+        Handler.is_down = True
+        page.open("#seed=9&epsilon=0.5")
+        page.expect(page.text("verdict") == "VERIFIED", f"without a network: {page.text('verdict')} {page.text('problem')}")
+        page.click("systole")
+        page.rest("a systole without a network")
+        page.expect("closed geodesic" in page.text("answered"), f"a systole without a network: {page.text('problem')}")
+    finally:
+        Handler.is_down = Handler.has_service_worker = False
+        Handler.altered = ""
+        page.run("""for (const registration of await navigator.serviceWorker.getRegistrations()) await registration.unregister();
+            for (const name of await caches.keys()) await caches.delete(name)""")
 
 
 def files(page: Page, data: pathlib.Path) -> None:
@@ -169,6 +307,7 @@ def files(page: Page, data: pathlib.Path) -> None:
                 f"a surface file is {page.text('verdict')} {page.text('problem')}")
     page.run("history.back()")
     wait(lambda: page.text("verdict") == "VERIFIED", "the way back leads to the true file")
+    page.rest("the true file again")
     page.drop("spectrum.json", (data / "geodesics/octagon-5-to-6.json").read_bytes())
     page.expect(page.text("verdict") == "VERIFIED" and page.run("return document.getElementById('geodesics').options.length > 0"),
                 f"a file of geodesics is {page.text('verdict')}, and not drawn: {page.text('problem')}")
@@ -210,6 +349,8 @@ def cancel(page: Page) -> None:
     page.open()
     page.set("epsilon", "0.01")
     page.click("start")
+    page.begin_drop("early.json", b"{}")
+    page.expect("One thing at a time" in page.text("problem"), "a file that is dropped meanwhile is silently forgotten")
     page.click("cancel")
     page.rest("what is cancelled")
     page.expect("cancelled" in page.text("work-text") and page.text("verdict") == "", f"cancelled: {page.text('work-text')} {page.text('verdict')}")
@@ -297,8 +438,9 @@ def run_all(browser, address: str, data: pathlib.Path, certify: str, pictures: p
     for size in ((1280, 900), (390, 844)):
         browser.resize(*size)
         page = Page(browser, address, size, pictures)
-        parts = [lambda: first_net(page, certify), lambda: layout(page), lambda: questions(page), lambda: layout(page), lambda: files(page, data),
-                 lambda: bad_input(page), lambda: cancel(page), lambda: link(page), lambda: layout(page), lambda: keyboard(page)]
+        parts = [lambda: first_net(page, certify), lambda: layout(page), lambda: questions(page), lambda: layout(page), lambda: example_makes_room(page),
+                 lambda: symmetries(page), lambda: layout(page), lambda: files(page, data), lambda: bad_input(page), lambda: cancel(page),
+                 lambda: link(page), lambda: layout(page), lambda: keyboard(page), lambda: offline(page)]
         for part in parts:
             try:
                 part()
@@ -323,7 +465,7 @@ def main() -> int:
     options = parser.parse_args()
     if options.pictures is not None:
         options.pictures.mkdir(parents=True, exist_ok=True)
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=options.site))
+    server = Server(("127.0.0.1", 0), functools.partial(Handler, directory=options.site))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     browsers = [(kind, program) for kind, program in ((Chromium, options.chromium), (Firefox, options.firefox)) if program]
     if not browsers:

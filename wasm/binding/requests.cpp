@@ -27,14 +27,17 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
+#include "netgen/isometries/isometries.h"
 #include "netgen/lifts/info.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/pants/pants.h"
 #include "netgen/pictures/net_pictures.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/group.h"
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
@@ -131,24 +134,67 @@ Surface surface_of_file(const std::string& bytes, const std::string& name) {
   return json || certify::is_compact(bytes) ? parse_surface_file(bytes, name) : import_surface(bytes, name);
 }
 
-/// The surface of a request: an object with one member, which names a way to make it.
-Surface surface_of(const Members& members) {
-  const Members recipe = members.member("surface");
-  if (recipe.has("octagon")) {
-    const auto seed = recipe.get<std::int64_t>("octagon");
-    if (seed < std::numeric_limits<std::int32_t>::min() || seed > std::numeric_limits<std::int32_t>::max()) {
-      throw std::invalid_argument("octagon: the seed " + std::to_string(seed) + " is not a number of 32 bits");
-    }
-    return random_octagon(static_cast<std::int32_t>(seed));
+Rational rational(const Json& value, const char* name) {
+  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  const auto number = certify::parse_decimal(text);
+  if (!number) throw std::invalid_argument(std::string(name) + ": " + certify::in_quotes(text) + " is not a number");
+  return Rational(number->get_mpq_t());
+}
+
+/// A path, as the numbers of the sides that it crosses.
+Word word_of(const Json& letters, const char* name) {
+  Word word;
+  if (!letters.is_array()) throw std::invalid_argument(std::string(name) + ": expected numbers of sides");
+  for (const Json& side : letters) {
+    if (!side.is_number_unsigned() || side.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
+      throw std::invalid_argument(std::string(name) + ": expected numbers of sides, not " + side.dump().substr(0, 80));
+    word.emplace_back(side.get<std::uint32_t>());
   }
-  if (recipe.has("named")) return named_surface(recipe.get<std::string>("named"));
+  return word;
+}
+
+Surface surface_of(const Members& members, const char* name = "surface");
+
+Surface octagon_of(std::int64_t seed) {
+  if (seed < std::numeric_limits<std::int32_t>::min() || seed > std::numeric_limits<std::int32_t>::max())
+    throw std::invalid_argument("octagon: the seed " + std::to_string(seed) + " is not a number of 32 bits");
+  return random_octagon(static_cast<std::int32_t>(seed));
+}
+
+/// A cover by permutations of its sheets, or a random one.
+Surface cover_of(const Members& how) {
+  const Surface base = surface_of(how);
+  if (how.has("permutations")) return cover(base, parse_permutations(how.at("permutations").dump()));
+  return cover(base, random_sheets(base, how.get<std::uint32_t>("degree"), how.get<std::uint64_t>("seed")));
+}
+
+/// The surface that the member names: an object with one member, which is a way to make it. Ways that begin with
+/// another surface have it as their member "surface".
+Surface surface_of(const Members& members, const char* name) {
+  const Members recipe = members.member(name);
+  if (recipe.has("octagon")) return octagon_of(recipe.get<std::int64_t>("octagon"));
+  if (recipe.has("named")) {
+    return named_surface(recipe.get<std::string>("named"),
+                         recipe.has("genus") ? std::optional(recipe.get<std::uint32_t>("genus")) : std::nullopt);
+  }
   if (recipe.has("regular")) return Surface::regular(recipe.get<std::uint32_t>("regular"));
   if (recipe.has("fenchel_nielsen")) {
     return fenchel_nielsen_surface(resolve(parse_fenchel_nielsen(recipe.at("fenchel_nielsen").dump())));
   }
   if (recipe.has("map")) return surface_of_map(parse_map(recipe.at("map").dump()));
   if (recipe.has("file")) return surface_of_file(recipe.file("file"), recipe.get<std::string>("name", kFile));
-  throw std::invalid_argument("surface: expected octagon, named, regular, fenchel_nielsen, map or file");
+  if (recipe.has("cover")) return cover_of(recipe.member("cover"));
+  if (recipe.has("dehn_twist")) {
+    const Members how = recipe.member("dehn_twist");
+    return dehn_twisted(surface_of(how), word_of(how.at("curve"), "curve"), how.get<std::int32_t>("power", 1));
+  }
+  if (recipe.has("twist")) {
+    const Members how = recipe.member("twist");
+    return twisted(surface_of(how), word_of(how.at("curve"), "curve"), rational(how.at("by"), "by"), {.threads = 1});
+  }
+  throw std::invalid_argument(std::string(name) +
+                              ": expected octagon, named, regular, fenchel_nielsen, map, file, cover, dehn_twist or "
+                              "twist");
 }
 
 NetDocument net_of(const Members& members) { return certify::parse_file<NetDocument>(members.file("net"), kFile); }
@@ -282,6 +328,9 @@ std::string eigenfunction_picture(const certify::EigenvaluesDocument& document, 
 
 std::string picture(const Members& members) {
   if (members.has("surface")) return draw_svg(picture_of(surface_of(members)), picture_size(members));
+  if (members.has("dirichlet")) {
+    return draw_svg(picture_of(parse_dirichlet_json(members.file("dirichlet"), kFile)), picture_size(members));
+  }
   const auto claim = certify::parse_file<ClaimDocument>(members.file("file"), kFile);
   if (members.has("eigenfunction")) {
     const auto* eigenvalues = std::get_if<certify::EigenvaluesDocument>(&claim);
@@ -303,13 +352,6 @@ std::string picture(const Members& members) {
 
 // Points: {"tile": T, "z": ["x", "y"]}, {"vertex": V} or {"triangle": T, "weights": [a, b, c]} of the net of the
 // request.
-
-Rational rational(const Json& value, const char* name) {
-  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-  const auto number = certify::parse_decimal(text);
-  if (!number) throw std::invalid_argument(std::string(name) + ": " + certify::in_quotes(text) + " is not a number");
-  return Rational(number->get_mpq_t());
-}
 
 BasePoint point_of(const Members& members, const char* name, const Surface& surface) {
   const Members point = members.member(name);
@@ -414,6 +456,85 @@ Answer find_eigenvalues(const Members& members, const Progress& progress) {
     first += count;
   }
   return proved(found, Json::object({{"eigenvalues", std::move(rows)}, {"next", found.next}}), progress);
+}
+
+Json isometry_json(const SurfaceIsometry& isometry) {
+  return Json::object({{"preserves_orientation", isometry.preserves_orientation}, {"images", isometry.images}});
+}
+
+Answer find_isometries(const Members& members, const Progress& progress) {
+  const IsometryOptions options{.threads = 1, .progress = progress};
+  const Surface surface = surface_of(members);
+  const IsometryGroup group = isometries(surface, options);
+  Json all = Json::array();
+  for (std::uint32_t i = 0; i < group.size(); ++i) {
+    Json& isometry = all.emplace_back(isometry_json(group.isometries()[i]));
+    isometry["order"] = group.order(i);
+    if (const auto count = group.fixed_points(i)) isometry["fixed_points"] = *count;
+  }
+  return proved(certified_isometries(surface, group, options).document,
+                Json::object({{"order", group.size()},
+                              {"orientation_preserving", group.orientation_preserving()},
+                              {"name", group.name()},
+                              {"words", generator_words(surface)},
+                              {"generators", group.generators()},
+                              {"isometries", std::move(all)}}),
+                progress);
+}
+
+Answer compare_surfaces(const Members& members, const Progress& progress) {
+  const Surface first = surface_of(members);
+  const IsometricAnswer found = isometric(first, surface_of(members, "other"), {.threads = 1, .progress = progress});
+  constexpr const char* kKinds[] = {"yes", "no", "undecided"};
+  Json json = Json::object({{"isometric", kKinds[static_cast<int>(found.kind)]}, {"reason", found.reason}});
+  if (found.isometry) {
+    json["words"] = generator_words(first);
+    json["isometry"] = isometry_json(*found.isometry);
+  }
+  return {json_text(json)};
+}
+
+Answer find_pants(const Members& members, const Progress& progress) {
+  PantsOptions options{.own = !members.get<bool>("find", false), .threads = 1, .progress = progress};
+  if (members.has("curves")) {
+    if (!members.at("curves").is_array()) throw std::invalid_argument("curves: expected an array of paths");
+    for (const Json& curve : members.at("curves")) options.curves.push_back(word_of(curve, "curves"));
+  }
+  const PantsDecomposition found = pants_decomposition(surface_of(members), options);
+  Json edges = Json::array();
+  Json cuffs = Json::array();
+  for (std::size_t e = 0; e < found.cuffs.size(); ++e) {
+    const auto& [p, q] = found.graph.edges()[e];
+    const PantsDecomposition::Cuff& cuff = found.cuffs[e];
+    edges.push_back({p.pants, q.pants});
+    cuffs.push_back(Json::object({{"ends", {{p.pants, p.cuff}, {q.pants, q.cuff}}},
+                                  {"length", interval_json(cuff.length)},
+                                  {"twist", interval_json(cuff.twist)},
+                                  {"word", cuff.curve},
+                                  {"across", cuff.across}}));
+  }
+  return proved(
+      found.document,
+      Json::object(
+          {{"own", found.own}, {"edges", std::move(edges)}, {"cuffs", std::move(cuffs)}, {"pants", found.pants}}),
+      progress);
+}
+
+Answer find_dehn_twist_words(const Members& members) {
+  const auto words = dehn_twist_words(surface_of(members), word_of(members.at("curve"), "curve"),
+                                      members.get<std::int32_t>("power", 1));
+  return {json_text(Json::object({{"words", std::vector<Word>(words)}}))};
+}
+
+Answer find_generators(const Members& members) {
+  return {json_text(Json::object({{"words", generator_words(surface_of(members))}}))};
+}
+
+/// The domain as its file; docs/format.md, "Dirichlet domain".
+Answer find_dirichlet_domain(const Members& members) {
+  const Surface surface = surface_of(members);
+  const auto base = members.has("base") ? std::optional(point_of(members, "base", surface)) : std::nullopt;
+  return {"{}", {dirichlet_json(dirichlet_polygon(surface, base))}};
 }
 
 Answer draw(const Members& members) { return {"{}", {picture(members)}}; }
@@ -525,6 +646,12 @@ Answer answer_or_throw(const Request& request, const Progress& progress) {
       {"embedded-disk", [&] { return find_bound(members, progress); }},
       {"distance", [&] { return measure_distance(members, progress); }},
       {"eigenvalues", [&] { return find_eigenvalues(members, progress); }},
+      {"isometries", [&] { return find_isometries(members, progress); }},
+      {"isometric", [&] { return compare_surfaces(members, progress); }},
+      {"pants", [&] { return find_pants(members, progress); }},
+      {"dehn-twist-words", [&] { return find_dehn_twist_words(members); }},
+      {"generators", [&] { return find_generators(members); }},
+      {"dirichlet", [&] { return find_dirichlet_domain(members); }},
       {"svg", [&] { return draw(members); }},
       {"page", [&] { return make_page(members, progress); }},
       {"viewer", [&] { return make_viewer_data(members, progress); }}};
@@ -549,6 +676,8 @@ Answer answer(const Request& request, const Progress& progress) {
     return failure("SurfaceError", error.what());
   } catch (const FenchelNielsenRequestError& error) {
     return failure("SurfaceError", error.what());
+  } catch (const CurveError& error) {
+    return failure("ArgumentError", error.what());
   } catch (const PantsGraphError& error) {
     return failure("SurfaceError", error.what());
   } catch (const NetError& error) {
@@ -560,6 +689,8 @@ Answer answer(const Request& request, const Progress& progress) {
   } catch (const ExchangeError& error) {
     return failure("FormatError", error.what());
   } catch (const certify::MalformedError& error) {
+    return failure("FormatError", error.what());
+  } catch (const DirichletFileError& error) {
     return failure("FormatError", error.what());
   } catch (const certify::Fault& fault) {
     return failure("EpsnetError", fault.what());

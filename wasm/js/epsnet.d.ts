@@ -91,6 +91,57 @@ export class Eigenvalues extends ProvedFile {
   /** The picture of the eigenfunction of λ_index, from 1 on. */
   eigenfunctionSvg(index: number, options?: { size?: number; centre?: number } & JobOptions): Promise<string>;
 }
+/** The numbers of the sides that a path crosses, or what has them: a closed geodesic, a cuff. */
+export type Curve = number[] | { word: number[] };
+/** An isometry, by what it does with the group: by generator, the word of the element to which it goes. */
+export interface Isometry {
+  preserves_orientation: boolean;
+  images: number[][];
+}
+/** All isometries of a surface, verified; number 0 is the identity. */
+export class IsometryGroup extends ProvedFile {
+  readonly order: number;
+  readonly orientation_preserving: number;
+  /** "C6", "D4", "C2 x C2"; empty for other groups. */
+  readonly name: string;
+  /** Generators of the group of the surface. */
+  readonly words: number[][];
+  /** Numbers of isometries that generate all. */
+  readonly generators: number[];
+  /** `fixed_points` only where they are points alone. */
+  readonly isometries: (Isometry & { order: number; fixed_points?: number })[];
+}
+/** Whether two surfaces are isometric, as the module decides. */
+export interface IsometricAnswer {
+  isometric: "yes" | "no" | "undecided";
+  reason: string;
+  words?: number[][];
+  isometry?: Isometry;
+}
+/** Pairs of pants of which a surface is glued, with its Fenchel–Nielsen coordinates, verified. */
+export class PantsDecomposition extends ProvedFile {
+  /** Whether they are those of which `fenchelNielsen` made the surface. */
+  readonly own: boolean;
+  /** By cuff: the pairs of pants on its two sides. */
+  readonly edges: [number, number][];
+  readonly cuffs: { ends: [number, number][]; length: Interval; twist: Interval; word: number[]; across: number[] }[];
+  /** By pair of pants: paths around its three cuffs. */
+  readonly pants: [number[], number[], number[]][];
+  /** The surface of these coordinates, or with other twists. */
+  fenchelNielsen(twists?: Exact[]): Surface;
+}
+/** A Dirichlet domain: sides and pairings read off a verified triangulation, vertices rounded. */
+export class DirichletDomain {
+  readonly bytes: Uint8Array;
+  readonly text: string;
+  /** Counterclockwise; `distance` is that of the base point from the line of the side. */
+  readonly sides: { partner: number; distance: number; word: number[] }[];
+  /** In the disk with the base point at 0. */
+  readonly vertices: [number, number][];
+  /** How many sides of length 0 are left out. */
+  readonly ties: number;
+  svg(options?: { size?: number } & JobOptions): Promise<string>;
+}
 /** A triangle of a net that contains a point. */
 export interface Location {
   place: "inside" | "side" | "corner";
@@ -128,6 +179,21 @@ export class Surface {
   radius(options?: { width?: number } & JobOptions): Promise<Bound>;
   embeddedDisk(options?: { width?: number } & JobOptions): Promise<Bound>;
   distance(p: Point, q: Point, options?: JobOptions): Promise<Distance>;
+  isometries(options?: JobOptions): Promise<IsometryGroup>;
+  isometricTo(other: Surface, options?: JobOptions): Promise<IsometricAnswer>;
+  /** Along `curves`, which others complete; its own, if it was made of some; or, with `find`, along short closed geodesics. */
+  pants(options?: { curves?: Curve[]; find?: boolean } & JobOptions): Promise<PantsDecomposition>;
+  dirichletDomain(options?: { base?: Point } & JobOptions): Promise<DirichletDomain>;
+  /** Words, one for each pair of sides of the fundamental polygon. */
+  generators(options?: JobOptions): Promise<number[][]>;
+  /** By side: what a Dehn twist makes of the path across it. */
+  dehnTwistWords(curve: Curve, power?: number, options?: JobOptions): Promise<number[][]>;
+  /** Permutations: one for each of `generators`, the images of the sheets 0, 1, …; or a random cover, of a degree up to 50. */
+  cover(sheets: { permutations: number[][] } | { degree: number; seed: number }): Surface;
+  /** The same surface with another marking, after a Dehn twist to the left. */
+  dehnTwist(curve: Curve, power?: number): Surface;
+  /** Cut along the closed geodesic of a simple curve, and glued with one side moved to the left. */
+  twist(curve: Curve, by: Exact): Surface;
   /** The first `count` (10), or all that are less than `below`; `digits` from 1 to 10, up to 2 without eigenfunctions. */
   eigenvalues(options?: { count?: number; below?: number; digits?: number; epsilon?: Exact } & JobOptions): Promise<Eigenvalues>;
 }
@@ -142,7 +208,8 @@ export interface FenchelNielsen {
 }
 
 export function octagon(seed: number): Surface;
-export function named(name: string): Surface;
+/** "bolza"; of a family "wiman-7", or "wiman" and 7. */
+export function named(name: string, genus?: number): Surface;
 export function regular(genus: number): Surface;
 export function fenchelNielsen(coordinates: FenchelNielsen): Surface;
 export function map(darts: { rotation: number[]; edges: number[] }): Surface;
@@ -179,6 +246,9 @@ declare const epsnet: {
   Surface: typeof Surface;
   Net: typeof Net;
   Eigenvalues: typeof Eigenvalues;
+  IsometryGroup: typeof IsometryGroup;
+  PantsDecomposition: typeof PantsDecomposition;
+  DirichletDomain: typeof DirichletDomain;
   ProvedFile: typeof ProvedFile;
   EpsnetError: typeof EpsnetError;
 };

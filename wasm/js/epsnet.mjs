@@ -197,6 +197,45 @@ export class Net extends ProvedFile {
   }
 }
 
+/** All isometries of a surface, verified. */
+export class IsometryGroup extends ProvedFile {}
+
+/** Pairs of pants of which a surface is glued, with its Fenchel–Nielsen coordinates, verified. */
+export class PantsDecomposition extends ProvedFile {
+  /** The surface of these coordinates: the middles of the intervals, or other twists. */
+  fenchelNielsen(twists = this.cuffs.map(({ twist }) => middle(twist))) {
+    const graph = this.edges.map((edge) => edge.join("-")).join(" ");
+    return fenchelNielsen({ graph, lengths: this.cuffs.map(({ length }) => middle(length)), twists });
+  }
+}
+const middle = ([lower, upper]) => (lower + upper) / 2;
+
+/** A Dirichlet domain, as read off a triangulation that is verified; its vertices are rounded. */
+export class DirichletDomain {
+  constructor(bytes) {
+    this.bytes = bytes;
+    const { sides, vertices, ties } = JSON.parse(this.text);
+    Object.assign(this, { sides, vertices, ties });
+  }
+  /** The text of its file. */
+  get text() {
+    return decoder.decode(this.bytes);
+  }
+  /** Its picture, as SVG. */
+  async svg(options = {}) {
+    return decoder.decode((await ask({ do: "svg", dirichlet: 0, ...members(options, ["size"]) }, [this.bytes], options)).files[0]);
+  }
+}
+
+/** A closed path, or what has one: a closed geodesic, a cuff. */
+const wordOf = (curve) => curve?.word ?? curve;
+
+/** A recipe whose files come after `count` others. */
+function shifted(recipe, count) {
+  if (recipe === null || typeof recipe !== "object" || Array.isArray(recipe)) return recipe;
+  return Object.fromEntries(Object.entries(recipe).map(([name, value]) => [name, name === "file" ? value + count : shifted(value, count)]));
+}
+
 /** A closed hyperbolic surface: how it is made. Nothing is computed before it is asked for. */
 export class Surface {
   constructor(recipe, files = []) {
@@ -251,6 +290,46 @@ export class Surface {
   async distance(p, q, options) {
     return new ProvedFile(await this.#ask({ do: "distance", p, q }, options));
   }
+  /** All isometries, also those that reverse the orientation. */
+  async isometries(options) {
+    return new IsometryGroup(await this.#ask({ do: "isometries" }, options));
+  }
+  /** Whether another surface is isometric: {isometric: "yes", "no" or "undecided", reason, words, isometry}. The module decides. */
+  async isometricTo(other, options = {}) {
+    members(options, []);
+    const what = { do: "isometric", surface: this.recipe, other: shifted(other.recipe, this.files.length) };
+    const { json, files, ...found } = await ask(what, [...this.files, ...other.files], options);
+    return found;
+  }
+  /** Pairs of pants: along `curves`, which others complete; or its own, or with `find` those along short closed geodesics. */
+  async pants({ curves, ...options } = {}) {
+    return new PantsDecomposition(await this.#ask({ do: "pants", ...(curves && { curves: curves.map(wordOf) }) }, options, ["curves", "find"]));
+  }
+  /** The Dirichlet domain of a point. */
+  async dirichletDomain(options) {
+    return new DirichletDomain((await this.#ask({ do: "dirichlet" }, options, ["base"])).files[0]);
+  }
+  /** Words of generators of its group: one for each pair of sides of the fundamental polygon. */
+  async generators(options) {
+    return (await this.#ask({ do: "generators" }, options)).words;
+  }
+  /** By side: the path that a Dehn twist makes of the path across it. */
+  async dehnTwistWords(curve, power = 1, options = {}) {
+    return (await this.#ask({ do: "dehn-twist-words", curve: wordOf(curve), power }, options)).words;
+  }
+  /** A connected unbranched cover: of `permutations`, one for each of `generators`; or of a `degree`, random, with a `seed`. */
+  cover(sheets) {
+    const { permutations, degree, seed } = members(sheets, ["permutations", "degree", "seed"]);
+    return new Surface({ cover: { surface: this.recipe, ...(permutations ? { permutations } : { degree, seed }) } }, this.files);
+  }
+  /** The surface with another marking: after a Dehn twist to the left along a simple closed curve; `power` says how often. */
+  dehnTwist(curve, power = 1) {
+    return new Surface({ dehn_twist: { surface: this.recipe, curve: wordOf(curve), power } }, this.files);
+  }
+  /** Cut along a simple closed geodesic and glued anew, the other side moved to the left by a length. */
+  twist(curve, by) {
+    return new Surface({ twist: { surface: this.recipe, curve: wordOf(curve), by } }, this.files);
+  }
   /** The first eigenvalues of the Laplacian. */
   async eigenvalues(options) {
     return new Eigenvalues(await this.#ask({ do: "eigenvalues" }, options, ["count", "below", "digits", "epsilon"]));
@@ -261,9 +340,9 @@ export class Surface {
 export function octagon(seed) {
   return new Surface({ octagon: seed });
 }
-/** A surface by its name, such as "bolza". */
-export function named(name) {
-  return new Surface({ named: name });
+/** A surface by its name, such as "bolza"; of a family as "wiman-7", or "wiman", 7. */
+export function named(name, genus) {
+  return new Surface(genus === undefined ? { named: name } : { named: name, genus });
 }
 /** The regular surface of a genus. */
 export function regular(genus) {
@@ -304,4 +383,7 @@ export async function about(options = {}) {
   return found;
 }
 
-export default { octagon, named, regular, fenchelNielsen, map, surfaceFromFile, coordinates, certify, svg, about, ask, close, Surface, Net, Eigenvalues, ProvedFile, EpsnetError };
+export default {
+  octagon, named, regular, fenchelNielsen, map, surfaceFromFile, coordinates, certify, svg, about, ask, close,
+  Surface, Net, Eigenvalues, IsometryGroup, PantsDecomposition, DirichletDomain, ProvedFile, EpsnetError,
+};

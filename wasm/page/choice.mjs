@@ -3,14 +3,37 @@
 const kFields = {octagon: ['seed'], named: ['name'], 'fenchel-nielsen': ['genus', 'graph', 'lengths', 'twists']};
 const kNumber = /^-?[0-9.eE/+-]{1,40}$/;
 const kForms = {
-  seed: /^[0-9]{1,10}$/, name: /^[a-z0-9-]{1,40}$/, genus: /^[2-4]$/, graph: /^(chain|ring|tree)$/, epsilon: kNumber, kind: /^(net|sparse|pseudo)$/,
+  seed: /^[0-9]{1,10}$/, name: /^[a-z0-9-]{1,40}$/, genus: /^[2-4]$/, graph: /^(chain|ring|tree|theta|[0-5]-[0-5]( [0-5]-[0-5]){2,8})$/, epsilon: kNumber, kind: /^(net|sparse|pseudo)$/,
   lengths: kNumber, twists: kNumber};
 const kExpected = {
-  seed: 'an integer', name: 'a name, such as bolza or wiman-7', genus: '2, 3 or 4', graph: 'chain, ring or tree', epsilon: 'a number, such as 0.1 or 1/10',
+  seed: 'an integer', name: 'a name, such as bolza or wiman-7', genus: '2, 3 or 4', graph: 'chain, ring, tree, theta or edges such as 0-1 0-1 0-1', epsilon: 'a number, such as 0.1 or 1/10',
   kind: 'net, sparse or pseudo', lengths: 'numbers', twists: 'numbers'};
 
+// Steps from a surface to another one, in the order of the parts of their texts: cover:2:1, twist:0.3.5:1/2, dehn-twist:0.3.5:-1.
+const kWord = '[0-9]{1,6}(?:[.][0-9]{1,6}){0,199}';
+const kSteps = {
+  cover: {form: /^cover:([0-9]{1,2}):([0-9]{1,10})$/, tell: (degree, seed) => `its cover of degree ${degree} of the seed ${seed}`,
+          options: (degree, seed) => `--degree ${degree} --seed ${seed}`},
+  twist: {form: new RegExp(`^twist:(${kWord}):([0-9./-]{1,40})$`), tell: (word, by) => `a twist by ${by} along ${word}`,
+          options: (word, by) => `${word.replaceAll('.', ',')} --by=${by}`},
+  'dehn-twist': {form: new RegExp(`^dehn-twist:(${kWord}):(-?[0-9]{1,4})$`), tell: (word, power) => `${power} Dehn twists along ${word}`,
+                 options: (word, power) => `${word.replaceAll('.', ',')} ${power}`}};
+const stepForm = text => Object.entries(kSteps).find(([, {form}]) => form.test(text));
+
+// The parts of a step: {kind, degree, seed} of a cover, {kind, word, by} of a twist by a length or as often as `by`. Throws an Error for other texts.
+export function stepOf(text) {
+  const found = stepForm(text);
+  if (found === undefined) throw new Error(`${text.slice(0, 40)}: expected a cover or a twist, such as cover:2:1, twist:0.3:1/2 or dehn-twist:0.3:1`);
+  const [kind, {form}] = found, [, first, second] = form.exec(text);
+  return kind === 'cover' ? {kind, degree: Number(first), seed: Number(second)} : {kind, word: first.split('.').map(Number), by: second};
+}
+export function tellStep(text) {
+  const [, {form, tell}] = stepForm(text);
+  return tell(...form.exec(text).slice(1));
+}
+
 export function toHash(chosen) {
-  const fields = ['surface', ...kFields[chosen.surface], 'epsilon', 'kind'];
+  const fields = ['surface', ...kFields[chosen.surface], ...(chosen.steps ? ['steps'] : []), 'epsilon', 'kind'];
   return fields.map(field => `${field}=${[].concat(chosen[field]).map(encodeURIComponent).join(',')}`).join('&');
 }
 
@@ -36,6 +59,12 @@ export function fromHash(hash) {
     if (isList && words.length !== count) throw wrong(field, text, `${count} numbers for genus ${chosen.genus}`);
     chosen[field] = isList ? words : words[0];
   }
+  const edges = /-/.test(chosen.graph) ? chosen.graph.split(' ').length : 3 * chosen.genus - 3;
+  if (surface === 'fenchel-nielsen' && (edges !== 3 * chosen.genus - 3 || (chosen.graph === 'theta' && chosen.genus !== '2')))
+    throw wrong('graph', chosen.graph, `a graph of genus ${chosen.genus}`);
+  if (values.has('steps')) chosen.steps = values.get('steps').split(',');
+  const step = chosen.steps?.find(text => stepForm(text) === undefined);
+  if (step !== undefined) throw wrong('steps', step, 'steps such as cover:2:1, twist:0.3:1/2 or dehn-twist:0.3:1');
   return chosen;
 }
 
@@ -53,18 +82,30 @@ export function pointOf(text, name) {
   throw new Error(`${name}: "${text}" is not a point; it is written as in v17, 0,1/3,-0.25 or t12:1,2,1`);
 }
 
-// The commands that do the same: the first makes the surface.
-export function commandsOf(chosen) {
-  const quoted = text => /^[\w.,/+-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+const quoted = text => /^[\w.,/+-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+
+// The commands that make the surface, and the file that has it then.
+export function surfaceCommands(chosen) {
   const option = (name, list) => `${name}=${quoted(list.join(','))}`;
-  const surface = {
-    octagon: () => `octagon --seed ${quoted(chosen.seed)} -o s.json`,
-    named: () => `named ${quoted(chosen.name)} -o s.json`,
-    'fenchel-nielsen': () => `fenchel-nielsen --genus ${chosen.genus} --pants-graph ${chosen.graph} ${option('--lengths', chosen.lengths)} ` +
+  const first = {
+    file: () => `convert ${quoted(chosen.title + '.json')} s.json --surface`,
+    octagon: () => `surface octagon --seed ${quoted(chosen.seed)} -o s.json`,
+    named: () => `surface named ${quoted(chosen.name)} -o s.json`,
+    'fenchel-nielsen': () => `surface fenchel-nielsen --genus ${chosen.genus} --pants-graph ${quoted(chosen.graph)} ${option('--lengths', chosen.lengths)} ` +
                              `${option('--twists', chosen.twists)} -o s.json`};
-  const first = chosen.surface === 'file' ? `epsnet convert ${quoted(chosen.title + '.json')} s.json --surface` : `epsnet surface ${surface[chosen.surface]()}`;
-  const kind = chosen.kind === 'sparse' ? ' --sparse' : chosen.kind === 'pseudo' ? ' --pseudo' : '';
-  return `${first}\nepsnet net s.json --epsilon ${quoted(chosen.epsilon ?? '0.1')}${kind} -o net.json\ncertify net.json`;
+  const lines = [first[chosen.surface]()];
+  let file = 's.json';
+  for (const text of chosen.steps ?? []) {
+    const [kind, {form, options}] = stepForm(text), before = file;
+    file = `s${lines.length}.json`;
+    lines.push(`surface ${kind} ${before} ${options(...form.exec(text).slice(1))} -o ${file}`);
+  }
+  return {text: lines.map(line => `epsnet ${line}`).join('\n'), file};
+}
+// The commands that do the same as the page.
+export function commandsOf(chosen) {
+  const {text, file} = surfaceCommands(chosen), kind = chosen.kind === 'sparse' ? ' --sparse' : chosen.kind === 'pseudo' ? ' --pseudo' : '';
+  return `${text}\nepsnet net ${file} --epsilon ${quoted(chosen.epsilon ?? '0.1')}${kind} -o net.json\ncertify net.json`;
 }
 
 // Beyond the first a net takes a browser minutes, and gigabytes; beyond the second the program refuses it (docs/using-epsnet.md, "Limits").
@@ -75,6 +116,7 @@ const kGenus = {bolza: 2, klein: 3, 'fermat-quartic': 3, bring: 4, 'fricke-macbe
 export function estimatedVertices(chosen) {
   const [numerator, denominator] = chosen.epsilon.split('/'), epsilon = Number(numerator) / Number(denominator ?? 1);
   const genus = Number(chosen.genus ?? kGenus[chosen.name] ?? /-([0-9]+)$/.exec(chosen.name)?.[1] ?? 2);
+  const sheets = (chosen.steps ?? []).reduce((product, text) => product * (stepOf(text).degree ?? 1), 1);
   if (!(epsilon > 0) || !Number.isFinite(genus)) return 0;  // The module says what is wrong.
-  return 2.15 * (genus - 1) / Math.sinh(epsilon / 2) ** 2;
+  return 2.15 * sheets * (genus - 1) / Math.sinh(epsilon / 2) ** 2;
 }

@@ -7,9 +7,16 @@ const superscript = n => [...String(n)].map(c => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹
 // λ₁₂
 export const subscript = n => [...String(n)].map(digit => '₀₁₂₃₄₅₆₇₈₉'[digit]).join('');
 
-// A number with the digits that its enclosure determines, at most 12; the enclosure itself if these are fewer than three.
+// The least number of one digit that is not smaller, up to rounding: "3e-70".
+function roundedUp(x) {
+  const [digit, exponent] = x.toExponential(1).split('e');
+  return String(Number(`${Math.ceil(Number(digit) + 0.05)}e${exponent}`));
+}
+
+// A number with the digits that its enclosure determines, at most 12; the enclosure itself if these are fewer than three; what is about 0 as 0 ± 1e-70.
 export function number([lower, upper]) {
   if (lower === null || upper === null) return `in [${lower ?? '−∞'}, ${upper ?? '∞'}]`;
+  if (lower <= 0 && upper >= 0 && upper - lower < 1e-12) return lower === upper ? '0' : `0 ± ${roundedUp(Math.max(-lower, upper))}`;
   if (lower === upper && String(lower).length <= kMostDigits) return String(lower);
   for (let digits = kMostDigits; digits >= 3; --digits) {
     const text = Number(lower).toPrecision(digits);

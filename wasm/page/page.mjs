@@ -1,7 +1,8 @@
 // The page: what is chosen, what is asked of the module, and what is said of the answers. The pictures are those of the viewer (Net, Viewer, save, scheme are its).
 import * as epsnet from './epsnet.mjs';
-import {commandsOf, estimatedVertices, fromHash, kMostVertices, kMostVerticesOfProgram, pointOf, toHash} from './choice.mjs';
+import {commandsOf, estimatedVertices, fromHash, kMostVertices, kMostVerticesOfProgram, pointOf, stepOf, surfaceCommands, tellStep, toHash} from './choice.mjs';
 import {grouped, number, rough, subscript} from './numbers.mjs';
+import * as pantsGraph from './pants_graph.mjs';
 
 const form = $('make');
 let current = null;      // The net that is shown: {net, surface, choice, title}.
@@ -9,26 +10,33 @@ let viewer = null;
 let opened = null;       // The surface of a file: {surface, title, genus}.
 const dropped = [];      // The files that were opened, for the way back to them.
 let running = null;      // The controller of the work that is going on.
+let isExample = false;   // Nobody asked for that work: whatever else is asked for comes first.
+let steps = [];          // From the surface that is chosen to the one that is meant (choice.mjs).
 
 // ---- What is chosen ----
 
 // One row of sliders for each cuff: lengths and twists; the number beside a slider is what counts, and may be beyond its ends.
 function cuffRow(k) {
-  const row = document.createElement('details'), summary = element('summary', '');
-  const tell = () => { summary.textContent = `cuff ${k + 1}: length ${$(`length-${k}`)?.value ?? 2}, twist ${$(`twist-${k}`)?.value ?? 0}`; };
+  const row = document.createElement('details'), summary = element('summary', ''), fields = document.createElement('div');
+  const short = (id, usual) => {
+    const text = $(id)?.value ?? usual;
+    return Number.isFinite(Number(text)) ? String(Number(Number(text).toPrecision(6))) : text;
+  };
+  const tell = () => { summary.textContent = `cuff ${k}: length ${short(`length-${k}`, '2')}, twist ${short(`twist-${k}`, '0')}`; };
   row.className = 'cuff';
   row.open = k === 0;
-  row.append(summary);
+  row.addEventListener('focusin', () => tellCuff(k));
+  row.append(summary, fields);
   tell();
   for (const [what, least, most, value] of [['length', 0.2, 6, 2], ['twist', -3, 3, 0]]) {
     const label = document.createElement('label'), slider = document.createElement('input'), box = document.createElement('input');
     label.textContent = what;
     label.htmlFor = box.id = `${what}-${k}`;
-    Object.assign(slider, {type: 'range', min: least, max: most, step: 0.05, value, ariaLabel: `${what} of cuff ${k + 1}, roughly`});
-    Object.assign(box, {value, inputMode: 'decimal', autocomplete: 'off', ariaLabel: `${what} of cuff ${k + 1}`});
+    Object.assign(slider, {type: 'range', min: least, max: most, step: 0.05, value, ariaLabel: `${what} of cuff ${k}, roughly`});
+    Object.assign(box, {value, inputMode: 'decimal', autocomplete: 'off', ariaLabel: `${what} of cuff ${k}`});
     slider.oninput = () => { box.value = slider.value; tell(); };
     box.oninput = () => { slider.value = box.value; tell(); };
-    row.append(label, slider, box);
+    fields.append(label, slider, box);
   }
   return row;
 }
@@ -39,16 +47,55 @@ function fillCuffs() {
 }
 const cuffValues = what => [...document.querySelectorAll(`#cuffs input[id^=${what}-]`)].map(input => input.value.trim());
 
+// The graph of the cuffs, as the module makes it: asked for when another one is chosen.
+let graphShown = '';
+async function showGraph() {
+  const graph = $('graph').value, genus = Number($('genus').value), name = `${genus} ${graph}`;
+  if ($('surface').value !== 'fenchel-nielsen' || name === graphShown) return;
+  graphShown = name;
+  try {
+    const {edges} = await epsnet.coordinates({graph, genus, lengths: ['2'], twists: ['0']});
+    if (name === graphShown) $('pants-graph').replaceChildren(pantsGraph.picture(edges, openCuff));
+    tellCuff([...$('cuffs').children].findIndex(row => row.open));
+  } catch {
+    graphShown = '';  // The page does without.
+  }
+}
+function openCuff(k) {
+  const row = $('cuffs').children[k];
+  row.open = true;
+  row.querySelector('summary').focus();
+  tellCuff(k);
+}
+function tellCuff(k) {
+  [...$('pants-graph').querySelectorAll('g')].forEach((group, number) => group.classList.toggle('chosen', number === k));
+}
+// The graph theta has genus 2; edges that a link or pairs of pants brought have a genus, too.
+function fitGraph() {
+  const genus = Number($('genus').value), fits = graph => graph === 'theta' ? genus === 2 : !graph.includes('-') || graph.split(' ').length === 3 * genus - 3;
+  for (const option of $('graph').options) option.disabled = !fits(option.value);
+  if (!fits($('graph').value)) $('graph').value = 'chain';
+}
+
+// Families have a member for each genus: wiman-7.
+const kFamily = /^(wiman|accola-maclachlan)(?:-([0-9]+))?$/;
+const nameChosen = () => kFamily.test($('name').value) ? `${$('name').value}-${$('name-genus').value.trim()}` : $('name').value;
+
 function choice() {
   const value = id => $(id).value.trim(), surface = value('surface');
-  return {surface, epsilon: value('epsilon'), kind: value('kind'),
-          ...{octagon: () => ({seed: value('seed')}), named: () => ({name: value('name')}), file: () => ({title: opened.title, genus: opened.genus}),
+  return {surface, epsilon: value('epsilon'), kind: value('kind'), ...(steps.length > 0 && {steps}),
+          ...{octagon: () => ({seed: value('seed')}), named: () => ({name: nameChosen()}), file: () => ({title: opened.title, genus: opened.genus}),
               'fenchel-nielsen': () => ({genus: value('genus'), graph: value('graph'), lengths: cuffValues('length'), twists: cuffValues('twist')})}[surface]()};
 }
-function choose(chosen) {
-  // A name that the list does not have.
-  if (chosen.name !== undefined && ![...$('name').options].some(option => option.value === chosen.name)) $('name').append(new Option(chosen.name, chosen.name));
-  for (const id of ['surface', 'seed', 'name', 'genus', 'graph', 'epsilon', 'kind']) if (chosen[id] !== undefined) $(id).value = chosen[id];
+function choose({name, ...chosen}) {
+  const [, family, familyGenus] = kFamily.exec(name) ?? [];
+  const values = {...chosen, ...(name !== undefined && {name: family ?? name}), ...(familyGenus !== undefined && {'name-genus': familyGenus})};
+  // A name or a graph that the list does not have.
+  for (const id of ['name', 'graph'])
+    if (values[id] !== undefined && ![...$(id).options].some(option => option.value === values[id])) $(id).append(new Option(values[id], values[id]));
+  for (const id of ['surface', 'seed', 'name', 'name-genus', 'genus', 'graph', 'epsilon', 'kind']) if (values[id] !== undefined) $(id).value = values[id];
+  steps = chosen.steps ?? [];
+  fitGraph();
   fillCuffs();
   for (const what of ['length', 'twist'])
     (chosen[what + 's'] || []).forEach((value, k) => {
@@ -61,24 +108,42 @@ function choose(chosen) {
 }
 function tellChoice() {
   for (const part of document.querySelectorAll('[data-kind]')) part.hidden = part.dataset.kind !== $('surface').value;
+  $('of-genus').hidden = !kFamily.test($('name').value);
+  $('steps').replaceChildren(...steps.map(stepRow));
+  showGraph();
   const chosen = choice();
   $('commands').textContent = commandsOf(chosen);
   tellDifference(chosen);
 }
+function stepRow(text, k) {
+  const row = element('li', tellStep(text) + ' '), button = element('button', 'Remove');
+  button.type = 'button';
+  button.ariaLabel = `Remove ${tellStep(text)}`;
+  button.onclick = () => {
+    steps = steps.filter((_, number) => number !== k);
+    tellChoice();
+  };
+  row.append(button);
+  return row;
+}
 // Picture, certificate and answers are of `current`, which the form may not say any more.
-const isSame = (a, b) => a.surface === b.surface && (a.surface === 'file' ? a.title === b.title : toHash(a) === toHash(b));
+const isSame = (a, b) => a.surface === b.surface && (a.surface === 'file' ? a.title === b.title && String(a.steps) === String(b.steps) : toHash(a) === toHash(b));
 function tellDifference(chosen) {
   const differs = current !== null && !$('certificate').hidden && !isSame(chosen, current.chosen);
   $('of-before').textContent = differs ? `Picture, certificate and answers are of ${current.title}, not of what the form says now.` : '';
   $('verdict').classList.toggle('past', differs);
 }
 function surfaceOf(chosen) {
-  switch (chosen.surface) {
-    case 'octagon': return epsnet.octagon(Number(chosen.seed));
-    case 'named': return epsnet.named(chosen.name);
-    case 'fenchel-nielsen': return epsnet.fenchelNielsen({graph: chosen.graph, genus: Number(chosen.genus), lengths: chosen.lengths, twists: chosen.twists});
-    default: return opened.surface;
-  }
+  const first = {
+    octagon: () => epsnet.octagon(Number(chosen.seed)),
+    named: () => epsnet.named(chosen.name),
+    'fenchel-nielsen': () => epsnet.fenchelNielsen({graph: chosen.graph, genus: Number(chosen.genus), lengths: chosen.lengths, twists: chosen.twists}),
+    file: () => opened.surface};
+  const next = {
+    cover: (surface, {degree, seed}) => surface.cover({degree, seed}),
+    twist: (surface, {word, by}) => surface.twist(word, by),
+    'dehn-twist': (surface, {word, by}) => surface.dehnTwist(word, Number(by))};
+  return (chosen.steps ?? []).map(stepOf).reduce((surface, step) => next[step.kind](surface, step), first[chosen.surface]());
 }
 
 // ---- Work ----
@@ -87,11 +152,12 @@ function surfaceOf(chosen) {
 // What is said of it, and Cancel, stand after the element `place`, where it was asked for.
 async function work(name, command, job, place = $('buttons')) {
   if (running !== null) return;
+  const isQuiet = isExample;
   running = new AbortController();
   reached = 0;
   place.after($('work'));
   const focused = document.activeElement;
-  setBusy(true);
+  setBusy(true, isQuiet);
   $('problem').textContent = '';
   $('work-text').textContent = `${name} …`;
   const started = performance.now();
@@ -105,6 +171,7 @@ async function work(name, command, job, place = $('buttons')) {
     else $('problem').textContent = isTooMuch(error) ? tooMuch('This needs more memory than a browser has.', command) : `${name}: ${error.message}`;
   } finally {
     running = null;
+    isExample = false;
     setBusy(false);
     if ([$('cancel'), document.body].includes(document.activeElement)) focused.focus({preventScroll: true});  // Keys go on from where they were.
   }
@@ -119,20 +186,33 @@ function tellProgress(name, what, share) {
 }
 const isTooMuch = error => error.kind === 'MemoryError' || error instanceof RangeError;
 const tooMuch = (why, command) => `${why} The program does it:\n${command}`;
-function setBusy(isBusy) {
+// What nobody asked for keeps nobody from asking for something else.
+function setBusy(isBusy, isQuiet = false) {
   $('cancel').disabled = !isBusy;
   $('cancel').hidden = !isBusy;
   $('verdict').hidden = isBusy;  // Nothing says VERIFIED of what is not done.
   $('progress').hidden = !isBusy;
   $('progress').removeAttribute('value');
-  for (const id of ['start', 'systole', 'diameter', 'eigenvalues', 'spectrum', 'distance', 'file']) $(id).disabled = isBusy;
-  if (isBusy) $('cancel').focus({preventScroll: true});
+  for (const button of document.querySelectorAll('#start, #file, #questions button:not(#cancel)')) button.disabled = isBusy && !isQuiet;
+  if (!isBusy) tellCurves();
+  if (isBusy && !isQuiet) $('cancel').focus({preventScroll: true});
 }
 
+// Whether something else is going on, which is said; an example makes room for `next`.
+function isBusyFor(next) {
+  if (running === null) return false;
+  if (isExample) {
+    running.abort();
+    afterWork(next);
+  } else {
+    $('problem').textContent = 'One thing at a time: cancel what is going on first.';
+  }
+  return true;
+}
 // `isFollowed`: the address says it already.
 function make({isFollowed = false} = {}) {
   const chosen = choice(), command = commandsOf(chosen), vertices = estimatedVertices(chosen);
-  if (running !== null) return;
+  if (isBusyFor(() => make({isFollowed}))) return;
   forget();
   $('problem').textContent = '';
   if (vertices > kMostVertices) {
@@ -142,10 +222,11 @@ function make({isFollowed = false} = {}) {
     return;
   }
   if (chosen.surface !== 'file' && !isFollowed) goTo(toHash(chosen));
-  work('A net', command, async options => {
+  work(isExample ? `An example, ${titleOf(chosen)}` : 'A net', command, async options => {
     const surface = surfaceOf(chosen), net = await surface.net(chosen.epsilon, {sparse: chosen.kind === 'sparse', pseudo: chosen.kind === 'pseudo', ...options});
     showCertificate(net, titleOf(chosen), [['Save the net', () => net.bytes, '.json']]);
-    await show({net, surface, chosen, title: titleOf(chosen)}, options);
+    // What steps lead to would be made anew for each question: the net has it.
+    await show({net, surface: chosen.steps ? net.surface : surface, chosen, title: titleOf(chosen)}, options);
   });
 }
 // The address, a new one for the way back unless it is the same.
@@ -155,7 +236,7 @@ function goTo(hash) {
 function titleOf(chosen) {
   const surface = {octagon: `octagon ${chosen.seed}`, named: chosen.name, file: chosen.title,
                    'fenchel-nielsen': `genus ${chosen.genus}, lengths ${(chosen.lengths || []).join(', ')}`}[chosen.surface];
-  return `${surface}, ε = ${chosen.epsilon}${chosen.kind === 'net' ? '' : ', ' + chosen.kind}`;
+  return `${[surface, ...(chosen.steps ?? []).map(tellStep)].join(', ')}, ε = ${chosen.epsilon}${chosen.kind === 'net' ? '' : ', ' + chosen.kind}`;
 }
 
 // ---- What the checkers say ----
@@ -164,7 +245,7 @@ const element = (name, text, className) => Object.assign(document.createElement(
 const verdictMark = text => element('span', text, 'verdict ' + text.toLowerCase());
 
 // A file's certificate, the report of `certify --json`: each checker by its own verdict.
-function certificateParts({bytes, certificate}) {
+function certificateParts({bytes, certificate, info}) {
   const list = document.createElement('dl'), parts = [list];
   const row = (name, ...what) => {
     const cell = document.createElement('dd');
@@ -178,9 +259,10 @@ function certificateParts({bytes, certificate}) {
   else if (certificate.no_claim) row('claim', 'none: this is a file of a surface. “Make and prove it” makes a net of it.');
   else row('certify', ...says(certificate));
   if (second) row('certify-exact', ...says(second));
-  else if (certificate.verdict !== 'MALFORMED' && certificate.verdict) row('certify-exact', ...secondChecker(bytes, certificate, parts));
+  else if (certificate.verdict !== 'MALFORMED' && certificate.verdict) row('certify-exact', ...secondChecker({bytes, certificate, info}, parts));
   if (certificate.claim) row('claim', certificate.claim);
-  for (const [name, ends] of Object.entries(certificate.enclosures || {})) row(name.replaceAll('_', ' '), number(ends)).title = `in [${ends.join(', ')}]`;
+  if (info?.epsilon) row('epsilon', info.epsilon);  // As it was given.
+  for (const [name, ends] of Object.entries(certificate.enclosures || {}).filter(([name]) => name !== 'epsilon' || !info?.epsilon)) row(name.replaceAll('_', ' '), number(ends)).title = `in [${ends.join(', ')}]`;
   if (certificate.sha256) row('SHA-256', certificate.sha256).className = 'hash';
   const details = document.createElement('details'), text = element('pre', certificate.text);
   text.tabIndex = 0;
@@ -189,13 +271,13 @@ function certificateParts({bytes, certificate}) {
   return parts;
 }
 // The second checker is not asked about large files, unless somebody wants it.
-function secondChecker(bytes, certificate, parts) {
+function secondChecker({bytes, certificate, info}, parts) {
   const why = /^second checker: (.*)$/m.exec(certificate.text), button = element('button', 'Ask it');
   if (!/more than/.test(why)) return [why === null ? 'not asked' : why[1]];
   button.type = 'button';
   button.onclick = () => work('The second checker', 'certify --exact FILE', async options => {
     const asked = await epsnet.certify(bytes, {exact: true, ...options});
-    button.closest('dl').parentElement.replaceChildren(...certificateParts({bytes, certificate: asked}));
+    button.closest('dl').parentElement.replaceChildren(...certificateParts({bytes, certificate: asked, info}));
   });
   return [why[1] + ' ', button];
 }
@@ -231,6 +313,7 @@ function forget() {
 async function show({net, surface, chosen, title}, options) {
   const data = await net.viewerData({title, ...options});
   $('answered').replaceChildren();
+  $('curve').replaceChildren();
   current = {net, surface, chosen, title, shown: []};
   $('questions').hidden = net.certificate.verdict !== 'VERIFIED';
   draw(data);
@@ -246,56 +329,127 @@ function draw(data, before = null) {
 
 // ---- Questions ----
 
-// Asks for a file about the surface, which comes with its certificate; shows its answer, and draws what of it can be drawn.
-function ask(name, command, question, lines, isDrawn = true) {
+// Asks for something about the surface; shows the lines that `tell` makes of the answer, and its certificate, if it has one. A file of curves is drawn
+// in the picture of the net, or with `isPicture` the answer in a picture of its own.
+function ask(name, command, question, tell, {isDrawn = false, isPicture = false} = {}) {
   const asked = current, place = document.activeElement?.closest('#questions .line, #questions .buttons') ?? $('questions-heading');
   work(name, command, async options => {
-    const file = await question(asked, options);
+    const file = await question(asked, options), parts = tell(file);
     if (isDrawn && file.geodesics?.length !== 0) {
       draw(await asked.net.viewerData({title: asked.title, layers: [...asked.shown, file], ...options}), viewer);
       asked.shown.push(file);
     }
-    const article = document.createElement('article'), details = document.createElement('details'), certificate = document.createElement('div');
-    certificate.append(...certificateParts(file));
-    details.append(element('summary', 'Certificate'), certificate);
-    article.append(element('h3', name), ...lines(file).map(line => element('p', line)), verdictMark(file.certificate.verdict),
-                   ` by ${file.certificate.verified_by.join(' and ')}`, details, fileButton('Save the file', () => file.bytes, `${asked.title} ${name}`, '.json'));
+    if (isPicture) parts.push(...await pictureOf(file, `${asked.title} ${name}`, options));
+    parts.push(...(file.certificate ? certificateOf(file) : []), fileButton('Save the file', () => file.bytes, `${asked.title} ${name}`, '.json'));
+    const article = document.createElement('article');
+    article.append(element('h3', name), ...parts.map(part => typeof part === 'string' ? element('p', part) : part));
     $('answered').prepend(article);
   }, place);
 }
-const surfaceCommand = rest => commandsOf(current.chosen).split('\n')[0] + '\n' + rest;
+function certificateOf(file) {
+  const details = document.createElement('details'), certificate = document.createElement('div');
+  certificate.append(...certificateParts(file));
+  details.append(element('summary', 'Certificate'), certificate);
+  return [verdictMark(file.certificate.verdict), element('span', ` by ${file.certificate.verified_by.join(' and ')}`), details];
+}
+async function pictureOf(file, title, options) {
+  const svg = await file.svg(options);
+  return [Object.assign(new Image(), {alt: title, src: `data:image/svg+xml,${encodeURIComponent(svg)}`}), fileButton('Save the picture', () => svg, title, '.svg')];
+}
+// Curves along which the surface can be cut: those of the answers, each once.
+function addCurves(curves) {
+  for (const {name, word} of curves) {
+    const value = word.join('.');
+    if (![...$('curve').options].some(option => option.value === value)) $('curve').append(new Option(`${name}: ${word.join(' ')}`, value));
+  }
+}
+function tellCurves() {
+  for (const id of ['twist', 'dehn-twist']) $(id).disabled = $('curve').options.length === 0;
+}
+// Commands about the surface, FILE in their text.
+function surfaceCommand(rest) {
+  const {text, file} = surfaceCommands(current.chosen);
+  return `${text}\n${rest.replace('FILE', file)}`;
+}
+const lengthName = length => `length ${number(length)}`;
+const simpleCurves = ({geodesics}) => geodesics.filter(({simple}) => simple).map(({length, word}) => ({name: lengthName(length), word}));
 const lengthsOf = file => file.geodesics.map(({length}) => length);
 const counted = n => `${n === 0 ? 'no' : n} closed geodesic${n === 1 ? '' : 's'}`;
-$('systole').onclick = () => ask('Systole', surfaceCommand('epsnet systole s.json'), ({surface}, options) => surface.systole(options),
-    file => [`the systole, the length of a shortest closed geodesic, is ${number(lengthsOf(file)[0])}`]);
+$('systole').onclick = () => ask('Systole', surfaceCommand('epsnet systole FILE'), ({surface}, options) => surface.systole(options),
+    file => {
+      addCurves(simpleCurves(file));
+      return [`the systole, the length of a shortest closed geodesic, is ${number(lengthsOf(file)[0])}`];
+    }, {isDrawn: true});
 $('spectrum').onclick = () => {
   const upTo = $('up-to').value.trim(), kMostLines = 12;
-  ask(`Closed geodesics up to ${upTo}`, surfaceCommand(`epsnet spectrum s.json --up-to ${upTo}`), ({surface}, options) => surface.spectrum(upTo, options), file => {
+  ask(`Closed geodesics up to ${upTo}`, surfaceCommand(`epsnet spectrum FILE --up-to ${upTo}`), ({surface}, options) => surface.spectrum(upTo, options), file => {
     const lengths = lengthsOf(file), lines = grouped(lengths);
+    addCurves(simpleCurves(file));
     return [`${counted(lengths.length)} up to length ${upTo}${lengths.length > 0 ? ', and no others; their lengths:' : ''}`, ...lines.slice(0, kMostLines),
             ...(lines.length > kMostLines ? [`and ${lines.length - kMostLines} more lengths in the file`] : [])];
-  });
+  }, {isDrawn: true});
 };
-$('diameter').onclick = () => ask('Diameter', surfaceCommand('epsnet diameter s.json --width 1e-3'),
-    ({surface}, options) => surface.diameter({width: 1e-3, ...options}), file => [`the diameter is ${number(file.value)}`], false);
+$('diameter').onclick = () => ask('Diameter', surfaceCommand('epsnet diameter FILE --width 1e-3'),
+    ({surface}, options) => surface.diameter({width: 1e-3, ...options}), file => [`the diameter is ${number(file.value)}`]);
 const tellEigenvalues = ({first, count, ...row}) =>
   count === 1 ? `λ${subscript(first)} is ${number(row.in)}` : `λ${subscript(first)} to λ${subscript(first + count - 1)} are ${number(row.in)}`;
 $('eigenvalues').onclick = () => {
   const [count, digits] = ['count', 'digits'].map(id => Number($(id).value));
   ask(`Eigenvalues of the Laplacian: ${count === 1 ? 'the first' : `the first ${count}`}, ${digits} digits`,
-      surfaceCommand(`epsnet eigenvalues s.json --count ${count} --digits ${digits}`),
+      surfaceCommand(`epsnet eigenvalues FILE --count ${count} --digits ${digits}`),
       ({surface}, options) => surface.eigenvalues({count, digits, ...options}),
-      file => [...file.eigenvalues.map(tellEigenvalues), `all others are at least ${file.next}`], false);
+      file => [...file.eigenvalues.map(tellEigenvalues), `all others are at least ${file.next}`]);
 };
 $('distance').onclick = () => {
   try {
     const [p, q] = ['p', 'q'].map(id => pointOf($(id).value.trim(), id));
     ask('Distance of p and q', `epsnet distance net.json ${$('p').value.trim()} ${$('q').value.trim()}`, ({net}, options) => net.distance(p, q, options),
-        file => [`the distance is ${number(file.value)}`]);
+        file => [`the distance is ${number(file.value)}`], {isDrawn: true});
   } catch (error) {
     $('problem').textContent = error.message;
   }
 };
+
+const ofOrder = ([order, count]) => `${count} of order ${order}`;
+$('isometries').onclick = () => ask('Isometries', surfaceCommand('epsnet isometries FILE'), ({surface}, options) => surface.isometries(options), group => {
+  const orders = new Map(), rest = group.order - group.orientation_preserving;
+  for (const {preserves_orientation: isKept, order} of group.isometries) if (isKept) orders.set(order, (orders.get(order) ?? 0) + 1);
+  return [`${group.order} isometries${group.name ? `, the group ${group.name}` : ''}`,
+          `${group.orientation_preserving} preserve the orientation: ${[...orders].sort(([a], [b]) => a - b).map(ofOrder).join(', ')}`,
+          rest === 0 ? 'none reverses it' : `${rest} reverse it`];
+});
+$('pants').onclick = () => ask('Pairs of pants', surfaceCommand('epsnet pants FILE'), ({surface}, options) => surface.pants(options), pants => {
+  const use = element('button', 'Take these coordinates into the form');
+  use.type = 'button';
+  use.onclick = () => takeCoordinates(pants);
+  addCurves(pants.cuffs.map(({length, word}, k) => ({name: `cuff ${k}, ${lengthName(length)}`, word})));
+  return [...pants.cuffs.map(({length, twist, ends: [[p], [q]]}, k) => `cuff ${k}, of pants ${p} and ${q}: ${lengthName(length)}, twist ${number(twist)}`),
+          ...(pants.cuffs.length <= 9 ? [use] : [])];
+}, {isPicture: true});
+$('dirichlet').onclick = () => ask('Dirichlet domain', surfaceCommand('epsnet dirichlet FILE -o domain.json'), ({surface}, options) => surface.dirichletDomain(options),
+    domain => [`${domain.sides.length} sides, read off a triangulation that is verified; the corners are rounded`], {isPicture: true});
+const middle = ([lower, upper]) => lower <= 0 && upper >= 0 ? '0' : String((lower + upper) / 2);
+function takeCoordinates({edges, cuffs}) {
+  choose({surface: 'fenchel-nielsen', genus: String(cuffs.length / 3 + 1), graph: edges.map(edge => edge.join('-')).join(' '),
+          lengths: cuffs.map(({length}) => middle(length)), twists: cuffs.map(({twist}) => middle(twist))});
+  $('surface').focus();
+}
+
+// ---- Surfaces made of the one that is shown ----
+
+function goOn(step) {
+  try {
+    stepOf(step);
+    choose({...current.chosen, steps: [...current.chosen.steps ?? [], step]});
+    make();
+  } catch (error) {
+    $('problem').textContent = error.message;
+  }
+}
+const typed = id => $(id).value.trim();
+$('cover').onclick = () => goOn(`cover:${typed('degree')}:${typed('sheets')}`);
+$('twist').onclick = () => goOn(`twist:${$('curve').value}:${typed('by')}`);
+$('dehn-twist').onclick = () => goOn(`dehn-twist:${$('curve').value}:${typed('power')}`);
 
 // A point of the picture as p, then as q, then as p again.
 function take(x, y) {
@@ -317,7 +471,7 @@ const kMostBytes = 64e6;
 // `isFollowed`: the address says it already.
 function open(file, {isFollowed = false} = {}) {
   const command = `certify ${file.name}`;
-  if (running !== null) return;
+  if (isBusyFor(() => open(file, {isFollowed}))) return;
   forget();
   $('problem').textContent = '';
   if (!isFollowed) goTo(`file=${dropped.push(file)}`);
@@ -328,10 +482,12 @@ function open(file, {isFollowed = false} = {}) {
   work(file.name, command, async options => {
     const bytes = new Uint8Array(await file.arrayBuffer()), title = file.name.replace(/\.[^.]*$/, ''), chosen = {surface: 'file', title};
     const certificate = await epsnet.certify(bytes, {name: file.name, exact: true, ...options});
-    showCertificate({bytes, certificate}, file.name, []);
+    const unless = error => { if (options.signal.aborted) throw error; };
+    const info = certificate.claim ? await epsnet.ask({do: 'info', net: 0}, [bytes], options).catch(unless) : undefined;
+    showCertificate({bytes, certificate, info}, file.name, []);
     $('certificate-heading').focus();
     // Those that are no files of a surface, or of a net that can be drawn, have said so.
-    const surface = epsnet.surfaceFromFile(bytes, file.name), unless = error => { if (options.signal.aborted) throw error; };
+    const surface = epsnet.surfaceFromFile(bytes, file.name);
     const facts = await surface.info(options).catch(unless);
     if (facts === undefined) return;
     opened = {surface, title, genus: facts.genus};
@@ -366,6 +522,7 @@ form.onsubmit = event => {
 };
 form.addEventListener('input', tellChoice);
 $('genus').onchange = () => {
+  fitGraph();
   fillCuffs();
   tellChoice();
 };
@@ -403,7 +560,7 @@ function follow() {
   }
   try {
     const chosen = fromHash(hash);
-    if (chosen === null) return;
+    if (chosen === null) return showExample();
     if (chosen.missing.length > 0) links.push(`not in the link, so as usual: ${chosen.missing.join(', ')}`);
     choose(chosen);
     afterWork(() => make({isFollowed: true}));
@@ -412,12 +569,25 @@ function follow() {
     $('problem').textContent = error.message;
   }
 }
+// On arrival something is there to be looked at.
+function showExample() {
+  choose({surface: 'octagon', seed: '123', epsilon: '0.1', kind: 'net'});
+  afterWork(() => {
+    isExample = true;
+    make({isFollowed: true});
+  });
+}
 // What was cancelled ends first.
 const afterWork = next => running === null ? next() : setTimeout(afterWork, 20, next);
 scheme = systemIsDark.matches ? 'dark' : 'light';
 document.documentElement.dataset.scheme = scheme;
+fitGraph();
 fillCuffs();
 tellChoice();
 addEventListener('hashchange', follow);
 if (location.protocol === 'file:') $('problem').textContent = 'A browser does not load the module from a file: python3 -m http.server in this folder serves it.';
-else follow();
+else {
+  follow();
+  // Where there is a service worker the page works without a network from now on.
+  afterWork(() => navigator.serviceWorker?.register('service.js').catch(() => {}));
+}
