@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet {
 namespace {

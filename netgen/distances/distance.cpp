@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certify/base/interval.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "certify/check.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"

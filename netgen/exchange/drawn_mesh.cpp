@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "netgen/base/disjoint_sets.h"
 
 namespace epsnet {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"

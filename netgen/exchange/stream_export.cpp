@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "certify/check.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/triangulation_stream.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "certify/base/text.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/lifts.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/dirichlet_polygon.h"

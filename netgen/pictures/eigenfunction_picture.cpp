@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "certify/net/darts.h"
 #include "certify/net/document.h"
+#include "certify/net/numbering.h"
 #include "netgen/eigenvalues/eigenfunction_values.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/pictures.h"

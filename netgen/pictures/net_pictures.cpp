@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/dirichlet.h"
 #include "netgen/pictures/svg.h"

@@ -8,7 +8,7 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/curves.h"

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "certify/base/error.h"
-#include "certify/base/fault.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/help.h"

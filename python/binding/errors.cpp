@@ -2,7 +2,6 @@
 #include <string>
 
 #include "certify/base/error.h"
-#include "certify/base/fault.h"
 #include "certify/file/reader.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"

@@ -3,8 +3,8 @@
 #include <random>
 #include <vector>
 
-#include "certify/claims/bound/base.h"
-#include "certify/net/darts.h"
+#include "certify/claims/bound/triangles.h"
+#include "certify/net/numbering.h"
 
 /// Flips and splits of triangulations (docs/proof.md, Lemma 21.2).
 namespace epsnet::certify::bound_base_test {

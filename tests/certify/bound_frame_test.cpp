@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "certify/claims/bound/frame.h"
+#include "certify/claims/bound/element.h"
 
 /// Displacements in frames, and the recognition of equal products (docs/proof.md, Lemma 21.1).
 namespace epsnet::certify::bound_frame_test {

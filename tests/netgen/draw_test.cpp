@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/domain_format.h"

@@ -16,10 +16,9 @@
 
 #include "certify/check.h"
 #include "certify/claims/eigenvalues/forms.h"
-#include "certify/claims/eigenvalues/halved_net.h"
 #include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
-#include "certify/numbers/precision.h"
+#include "certify/numbers/ball.h"
 #include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/nets/certified_net.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"

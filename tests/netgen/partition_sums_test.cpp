@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "certify/claims/eigenvalues/partition.h"
+#include "certify/claims/eigenvalues/overlaps.h"
 
 namespace epsnet::partition_sums_test {
 namespace {

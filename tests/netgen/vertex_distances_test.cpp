@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"

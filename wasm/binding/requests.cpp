@@ -13,7 +13,7 @@
 #include <utility>
 #include <variant>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/file/compact.h"

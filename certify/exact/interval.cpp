@@ -1,4 +1,4 @@
-#include "certify/exact/squared_sinh.h"
+#include "certify/exact/interval.h"
 
 #include <algorithm>
 
