@@ -16,10 +16,10 @@
 
 #include "certify/base/interval.h"
 #include "certify/check.h"
-#include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// The program `variant`: makes nets of a surface in one of the ways that the thesis compares, proves each by the rules
 /// of `certify`, and prints what the thesis measures, a line (CSV) for each ε.

@@ -13,7 +13,6 @@
 
 #include "certify/numbers/inertia.h"
 #include "certify/numbers/parallel.h"
-#include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/eigenvalues/local_functions.h"
 #include "netgen/lifts/lifts.h"

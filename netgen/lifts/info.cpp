@@ -11,7 +11,7 @@
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/nets/bounds.h"
+#include "netgen/nets/refine.h"
 
 namespace epsnet {
 namespace {

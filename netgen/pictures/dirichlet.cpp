@@ -9,7 +9,7 @@
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
 namespace {

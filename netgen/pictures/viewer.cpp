@@ -12,7 +12,7 @@
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/curves.h"
-#include "netgen/pictures/net_pictures.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg.h"
 #include "netgen/pictures/viewer_page.h"
 

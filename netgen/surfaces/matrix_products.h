@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "certify/numbers/exact.h"
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 
 namespace epsnet {
 

@@ -15,7 +15,7 @@
 #include "certify/check.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/mesh/operations.h"
 
 namespace {

@@ -17,9 +17,8 @@
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/net_pictures.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/pictures/pictures.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 

@@ -1,5 +1,3 @@
-#include "netgen/exchange/domain_format.h"
-
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +10,8 @@
 #include "certify/file/reader.h"
 #include "netgen/exchange/ear_clipping.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/exchange/token_reader.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet::domain_format_test {

@@ -19,13 +19,11 @@
 #include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/ball.h"
-#include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// The generator's side of eigenvalues. `certify` shares no code with it but the factorization, so agreement with it is
 /// a test of both.

@@ -6,7 +6,7 @@
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/field_numbers.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
+#include "netgen/surfaces/surfaces.h"
 #include "netgen/surfaces/triangle_group.h"
 #include "tests/netgen/matrix_texts.h"
 

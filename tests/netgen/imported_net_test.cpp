@@ -11,10 +11,10 @@
 #include "certify/check.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/exchange/triangulation_stream.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 

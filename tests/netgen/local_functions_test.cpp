@@ -10,12 +10,10 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// Approximate eigenfunctions as functions around the vertices of a net.
 namespace epsnet::local_functions_test {

@@ -12,7 +12,7 @@
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 

@@ -5,8 +5,7 @@
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/netgen/matrix_texts.h"
 
 namespace epsnet::matrices_test {

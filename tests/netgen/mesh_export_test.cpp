@@ -16,7 +16,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::mesh_export_test {
 namespace {

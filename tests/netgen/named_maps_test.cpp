@@ -6,8 +6,7 @@
 #include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/surface/points.h"
 
 namespace epsnet::named_maps_test {

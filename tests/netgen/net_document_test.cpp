@@ -11,7 +11,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"

@@ -1,5 +1,3 @@
-#include "netgen/eigenvalues/partition_sums.h"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "certify/claims/eigenvalues/overlaps.h"
+#include "netgen/eigenvalues/eigenfunctions.h"
 
 namespace epsnet::partition_sums_test {
 namespace {

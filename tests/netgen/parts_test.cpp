@@ -13,7 +13,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"

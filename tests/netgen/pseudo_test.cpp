@@ -19,7 +19,7 @@
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 

@@ -14,12 +14,11 @@
 #include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
-#include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 

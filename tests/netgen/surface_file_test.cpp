@@ -1,5 +1,3 @@
-#include "netgen/surfaces/surface_file.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <ostream>
@@ -10,9 +8,9 @@
 
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet::surface_file_test {

@@ -3,12 +3,12 @@
 #include <iostream>
 
 #include "certify/check.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::table_test {
 namespace {

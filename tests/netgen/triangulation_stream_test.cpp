@@ -1,5 +1,3 @@
-#include "netgen/exchange/triangulation_stream.h"
-
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +10,10 @@
 #include <vector>
 
 #include "certify/file/reader.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/glued_polygons.h"

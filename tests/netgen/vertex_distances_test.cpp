@@ -16,8 +16,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::vertex_distances_test {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/insertion.h"
 

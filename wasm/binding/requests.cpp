@@ -31,13 +31,10 @@
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/pictures/net_pictures.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::wasm {
 namespace {

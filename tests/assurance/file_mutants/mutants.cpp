@@ -26,7 +26,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/assurance/file_mutants/mutations.h"
 
 /// Mutants of files: single and double defects of true files, in the document or in its text. The verdicts of `certify`

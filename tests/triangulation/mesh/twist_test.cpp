@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "kernel/plane.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/start.h"

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "triangulation/surface/glued_polygons.h"
 
