@@ -170,20 +170,6 @@ template <class T>
   return (T(1) + norm(a)) * cross(u, v) + dot(v, a + c) * cross(a, u) - dot(u, a + b) * cross(a, v);
 }
 
-/// Positive, zero or negative if d lies inside, on or outside the circle through a, b, c (counterclockwise as points of
-/// the plane).
-///
-/// Hyperbolic circles are Euclidean circles of the Poincaré disk, so this is the Euclidean determinant, with d as
-/// origin.
-template <class T>
-[[nodiscard]] T in_circle_determinant(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
-                                      const Complex<T>& d) {
-  const Complex<T> u = a - d;
-  const Complex<T> v = b - d;
-  const Complex<T> w = c - d;
-  return norm(u) * cross(v, w) + norm(v) * cross(w, u) + norm(w) * cross(u, v);
-}
-
 /// A point of the Poincaré disk in Klein coordinates, where geodesics are straight: 2z/(1 + |z|²).
 template <class T>
 [[nodiscard]] Complex<T> to_klein(const Complex<T>& z) {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/file/reader.h"
 #include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/text_formats.h"
@@ -38,10 +37,6 @@ Surface import_surface(std::string_view text, std::string_view name, ExchangeFor
     parts.problem += reading;
     throw ExchangeError(error.what() + reading, parts);
   }
-}
-
-Surface import_surface_file(const std::filesystem::path& path, ExchangeFormat format) {
-  return import_surface(certify::load(path), path.string(), format);
 }
 
 namespace {

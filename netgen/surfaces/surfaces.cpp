@@ -17,8 +17,6 @@
 #include "certify/file/compact.h"
 #include "certify/file/document_reader.h"
 #include "certify/file/reader.h"
-#include "certify/file/writer.h"
-#include "netgen/base/atomic_file.h"
 #include "netgen/base/gmp.h"
 
 namespace epsnet {
@@ -234,11 +232,6 @@ Surface load_surface(const std::filesystem::path& path) {
 
 Surface parse_surface_file(const std::string& text, const std::string& name) {
   return from_document(surface_in(text, name), name);
-}
-
-void save_surface(const Surface& surface, const std::filesystem::path& path) {
-  const certify::SurfaceDocument document = to_document(surface);
-  write_file_atomically(path, [&](std::ostream& out) { certify::write_file(document, out); });
 }
 
 }  // namespace epsnet

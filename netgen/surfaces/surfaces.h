@@ -54,9 +54,6 @@ namespace epsnet {
 /// SurfaceError.
 [[nodiscard]] Surface parse_surface_file(const std::string& text, const std::string& name);
 
-/// Writes a surface file, atomically; the same bytes for equal surfaces. Throws WriteError.
-void save_surface(const Surface& surface, const std::filesystem::path& path);
-
 // Surfaces that permutations describe: those of regular maps, among them many with the most symmetries or the longest
 // systoles, which have names; and unbranched covers of a surface.
 

@@ -58,7 +58,7 @@ TEST(AnchorSearch, FindsTheDiskOfAllSamples) {
 TEST(AnchorSearch, FindsTheDiskOfPolygons) {
   for (const auto& path : test::data_files("polygons")) {
     SCOPED_TRACE(path);
-    expect_found(triangulation_stream(import_surface_file(path)));
+    expect_found(triangulation_stream(test::imported(path)));
   }
 }
 

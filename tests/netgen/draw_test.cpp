@@ -49,7 +49,7 @@ certify::NetDocument octagon_net(std::int32_t seed, const char* epsilon) {
 }
 
 certify::NetDocument polygon_net(const char* name, const char* epsilon) {
-  return compute_net(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).net;
+  return compute_net(test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).net;
 }
 
 // What keeps a reference cannot be made from a temporary.

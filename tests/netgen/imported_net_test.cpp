@@ -87,7 +87,7 @@ TEST(ImportedNet, AnExportedNetIsTheSameNet) {
 
 TEST(ImportedNet, VerticesAreTheGivenOnesExactly) {
   for (const auto& path : test::data_files("triangulations")) {
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     const certify::NetDocument net = net_of_tiles(surface, Length("1"));
     ASSERT_EQ(net.vertices.size(), surface.vertex_class_count());
     for (const certify::NetDocument::Vertex& vertex : net.vertices) {

@@ -99,7 +99,7 @@ std::vector<Base> bases() {
                       certified_net(random_octagon(seed), Length(epsilon)).net});
   }
   // A short curve: charts and words that lead far into its collar.
-  const Surface thin = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g2-thin-1e-4.txt");
+  const Surface thin = import_surface(certify::load(EPSNET_TEST_DATA "/polygons/polygon-g2-thin-1e-4.txt"), "thin");
   result.push_back({"thin, epsilon 1.5", certified_net(thin, Length("1.5")).net});
   // The octagon 123 as two triangles and a hexagon.
   const Surface octagon = random_octagon(123);

@@ -251,7 +251,7 @@ TEST(Net, LongCuffsWithManyTurnsAreVerified) {
 TEST(Net, EveryImportedTriangulationIsVerified) {
   for (const auto& path : test::data_files("triangulations")) {
     SCOPED_TRACE(path.filename().string());
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     expect_verified(surface, "0.5");
     expect_verified(surface, "3");
   }
@@ -260,7 +260,7 @@ TEST(Net, EveryImportedTriangulationIsVerified) {
 TEST(Net, EveryImportedPolygonIsVerified) {
   // The larger ones are in table_test.cpp.
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     if (surface.genus() <= 10) {
       SCOPED_TRACE(path.filename().string());
       expect_verified(surface, "0.5");
@@ -273,7 +273,7 @@ constexpr std::array kLists{TriangleList::all_back, TriangleList::all_front, Tri
 
 TEST(Net, ThinSurfacesAreVerifiedByEveryList) {
   for (const char* name : {"g2-thin-1e-4", "g2-thinsep-1e-4", "g3-thin-1e-4"}) {
-    const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    const Surface surface = test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const TriangleList list : kLists) {
       for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
         SCOPED_TRACE(name);
@@ -285,7 +285,7 @@ TEST(Net, ThinSurfacesAreVerifiedByEveryList) {
 
 TEST(Net, ThinSurfacesAreVerifiedByEveryWay) {
   for (const char* name : {"g2-thin-1e-2", "g2-thin-1e-4", "g2-thin-1e-8", "g2-thinsep-1e-4", "g3-thin-1e-4"}) {
-    const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    const Surface surface = test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const char* epsilon : {"0.2", "1", "3"}) {
       for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
         for (const Walk walk : {Walk::visibility, Walk::straight}) {

@@ -3,12 +3,12 @@
 #include <iostream>
 
 #include "certify/check.h"
-#include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"
+#include "tests/support/polygons.h"
 
 namespace epsnet::table_test {
 namespace {
@@ -92,7 +92,7 @@ TEST(DeepLargeGenus, FenchelNielsenSurfacesAreVerified) {
 
 TEST(DeepLargeGenus, PolygonsAreVerified) {
   for (const char* name : {"g20-rnd0", "g50-small"}) {
-    const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    const Surface surface = test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const char* epsilon : {"3", "0.5", "0.2"}) {
       EXPECT_EQ(certified_net(surface, Length(epsilon)).certificate.verdict, certify::Verdict::verified) << name;
     }

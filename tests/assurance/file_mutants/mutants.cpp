@@ -77,7 +77,9 @@ Base net(const std::string& name, const Surface& surface, const char* epsilon, u
 Base file(const std::string& path, unsigned weight = 1) {
   return base(path, certify::read_file<Document>(EPSNET_TEST_DATA "/" + path), weight);
 }
-Surface polygon(const std::string& name) { return import_surface_file(EPSNET_TEST_DATA "/polygons/" + name + ".txt"); }
+Surface polygon(const std::string& name) {
+  return import_surface(certify::load(EPSNET_TEST_DATA "/polygons/" + name + ".txt"), name);
+}
 Surface cuffs(const PantsGraph& graph, const std::vector<const char*>& lengths) {
   FenchelNielsen coordinates{graph, {}, {}};
   for (const char* length : lengths) {
