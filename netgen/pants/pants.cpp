@@ -60,7 +60,7 @@ PantsDecomposition proved_pants(const Surface& surface, UnprovedPants found, con
   NetOptions of_net;
   of_net.threads = options.threads;
   Certified<certify::PantsDocument>& file = result;
-  file = proved(document_of(result, compute_net(surface, Length(kEpsilon), of_net).net), options.threads);
+  file = proved(document_of(result, compute_net(surface, Length(kEpsilon), of_net).document), options.threads);
   return result;
 }
 

@@ -100,7 +100,7 @@ Report uncertified_report(const certify::NetDocument& net) {
 std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, double epsilon, const NetRequest& request,
                             const PhaseTimes& times) {
   const NetStatistics& s = net.statistics;
-  const auto count = static_cast<double>(net.net.vertices.size());
+  const auto count = static_cast<double>(net.document.vertices.size());
   const double least = least_vertices(genus, epsilon);
   const double most = most_vertices(genus, epsilon);
   std::ostringstream out;
@@ -187,13 +187,13 @@ void make_net(const NetRequest& request) {
   }();
   times.computing = watch.lap();
   certify::Certificate certificate;
-  if (!request.no_certify) certificate = certify_net(net.net, request.options.threads);
-  Report report = request.no_certify ? uncertified_report(net.net) : certificate_report(certificate);
+  if (!request.no_certify) certificate = certify_net(net.document, request.options.threads);
+  Report report = request.no_certify ? uncertified_report(net.document) : certificate_report(certificate);
   times.certifying = watch.lap();
   std::string svg;
-  if (!request.svg.empty()) svg = draw_svg(net.net);
+  if (!request.svg.empty()) svg = draw_svg(net.document);
   times.drawing = watch.lap();
-  write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net.net, request.output, out); }},
+  write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net.document, request.output, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
   times.writing = watch.lap();
   if (request.stats) {

@@ -63,7 +63,7 @@ TEST(AnchorSearch, FindsTheDiskOfPolygons) {
 }
 
 TEST(AnchorSearch, FindsTheDiskOfNets) {
-  expect_found(triangulation_stream(compute_net(random_octagon(123), Length("0.2")).net));
+  expect_found(triangulation_stream(compute_net(random_octagon(123), Length("0.2")).document));
 }
 
 RC_GTEST_PROP(AnchorSearchProperty, FindsTheDiskOfOctagons, (std::int32_t seed)) {

@@ -26,7 +26,7 @@ using ::testing::ThrowsMessage;
 using Point = std::complex<double>;
 
 const certify::NetDocument& net() {
-  static const certify::NetDocument result = compute_net(random_octagon(123), Length("0.5")).net;
+  static const certify::NetDocument result = compute_net(random_octagon(123), Length("0.5")).document;
   return result;
 }
 

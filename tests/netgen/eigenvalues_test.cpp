@@ -77,7 +77,9 @@ const Known& klein() {
 /// So many digits of these are known.
 constexpr double kUnknown = 2e-10;
 
-NetDocument net_of(const Surface& surface, const char* epsilon) { return compute_net(surface, Length(epsilon)).net; }
+NetDocument net_of(const Surface& surface, const char* epsilon) {
+  return compute_net(surface, Length(epsilon)).document;
+}
 
 double area(const Surface& surface) { return 4 * std::numbers::pi * (surface.genus() - 1.0); }
 

@@ -124,7 +124,7 @@ TEST(NamedSurfaces, OfGenus100HaveVerifiedNets) {
   for (const char* name : {"wiman-100", "accola-maclachlan-100"}) {
     const CertifiedNet net = certified_net(named_surface(name), Length("20"));
     EXPECT_EQ(net.certificate.verdict, certify::Verdict::verified) << name;
-    EXPECT_EQ(net.net.vertices.size(), 1U) << name;
+    EXPECT_EQ(net.document.vertices.size(), 1U) << name;
   }
 }
 

@@ -433,7 +433,7 @@ std::string net_complaint(const certify::NetDocument& net) {
 }
 
 TEST(TriangulationStream, ADocumentThatIsNoNetIsRefused) {
-  const certify::NetDocument good = compute_net(random_octagon(123), Length("0.5")).net;
+  const certify::NetDocument good = compute_net(random_octagon(123), Length("0.5")).document;
   EXPECT_EQ(net_complaint(good), "accepted");
   EXPECT_THAT(net_complaint({}), StartsWith("not a net: "));
   certify::NetDocument net = good;
@@ -457,7 +457,7 @@ TEST(TriangulationStream, ADocumentThatIsNoNetIsRefused) {
 RC_GTEST_PROP(TriangulationStreamProperty, NetThereAndBack, ()) {
   const auto seed = *rc::gen::inRange<std::int32_t>(-1000, 1000);
   const std::string epsilon = *rc::gen::element<std::string>("0.3", "0.5", "0.8", "2");
-  const certify::NetDocument net = compute_net(random_octagon(seed), Length(epsilon)).net;
+  const certify::NetDocument net = compute_net(random_octagon(seed), Length(epsilon)).document;
   const TriangulationStream stream = triangulation_stream(net);
   RC_ASSERT(stream.triangles.size() == net.triangles.size());
   // The README of the format: not Delaunay if and only if the imaginary part is positive.

@@ -345,7 +345,7 @@ Answer make_net(const Members& members, const Progress& progress) {
   const Surface surface = surface_of(members);
   if (members.has("base")) options.base = point_of(members, "base", surface);
   const UncertifiedNet net = compute_net(surface, members.length("epsilon"), options);
-  return proved(net.net, Json::object({{"info", net_info(net.net).json}}), progress);
+  return proved(net.document, Json::object({{"info", net_info(net.document).json}}), progress);
 }
 
 Answer check_file(const Members& members, const Progress& progress) {

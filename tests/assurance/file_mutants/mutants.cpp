@@ -72,7 +72,7 @@ Base net(const std::string& name, const Surface& surface, const char* epsilon, u
   NetOptions options;
   options.pseudo = pseudo;
   options.check.threads = 1;
-  return base(name + ", epsilon " + epsilon, certified_net(surface, Length(epsilon), options).net, weight);
+  return base(name + ", epsilon " + epsilon, certified_net(surface, Length(epsilon), options).document, weight);
 }
 Base file(const std::string& path, unsigned weight = 1) {
   return base(path, certify::read_file<Document>(EPSNET_TEST_DATA "/" + path), weight);
