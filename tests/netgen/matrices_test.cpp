@@ -128,7 +128,7 @@ TEST(Matrices, ThatAreRoundedMeanTheNearestSurface) {
   EXPECT_GT(least, 0);
 }
 
-/// With the tiles they would be exact: field_matrices_test.cpp.
+/// With the tiles they would be exact: field_numbers_test.cpp.
 TEST(Matrices, OfRegularTilesMeanANearSurfaceIfTheyAreRounded) {
   std::string text = write_matrices(named_surface("bolza"));
   for (const char* name : {"\"tiles\"", "\"generators\""}) text.replace(text.find(name) + 1, 1, "-");

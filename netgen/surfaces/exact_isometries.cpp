@@ -1,4 +1,4 @@
-#include "netgen/surfaces/word_isometry.h"
+#include "netgen/surfaces/exact_isometries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/group.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet {
 namespace {
@@ -138,6 +139,109 @@ EnclosedIsometry enclosed_isometry(const Surface& surface, const Word& word, uns
               ends(f.b.im(), precision)};
     }
   }
+}
+
+namespace {
+
+constexpr std::size_t kMostBitsOfProduct = std::size_t{1} << 24;
+
+}  // namespace
+
+certify::ExactIsometry integral(const Isometry<Rational>& f) {
+  const mpq_class parts[] = {to_gmp(f.a.x), to_gmp(f.a.y), to_gmp(f.b.x), to_gmp(f.b.y)};
+  mpz_class scale = 1;
+  for (const mpq_class& part : parts) scale = lcm(scale, part.get_den());
+  const auto whole = [&](const mpq_class& part) { return mpz_class(scale / part.get_den() * part.get_num()); };
+  certify::ExactIsometry result{{whole(parts[0]), whole(parts[1])}, {whole(parts[2]), whole(parts[3])}};
+  certify::reduce(result);
+  return result;
+}
+
+Complex<Rational> image(const certify::ExactIsometry& f, const Complex<Rational>& z) {
+  const certify::MovedPoint<certify::Gaussian> moved = certify::moved(f, certify::exact_point(to_gmp(z)));
+  const certify::Gaussian n = moved.n * certify::conjugate(moved.d);
+  const mpz_class d = certify::norm(moved.d);
+  mpq_class x(n.re, d);
+  mpq_class y(n.im, d);
+  x.canonicalize();
+  y.canonicalize();
+  return {from_gmp(x), from_gmp(y)};
+}
+
+bool same_isometry(const certify::ExactIsometry& f, const certify::ExactIsometry& g) {
+  return certify::is_identity(certify::compose(f, certify::inverse(g)));
+}
+
+MatrixProducts::MatrixProducts(std::vector<certify::ExactIsometry> generators, const Complex<Rational>& base)
+    : generators_(generators.size()) {
+  const auto centre = Isometry<Number>::translation(convert<Number>(base));
+  for (certify::ExactIsometry& f : generators) {
+    const auto rational = [](const mpz_class& x) { return from_gmp(mpq_class(x)); };
+    const Isometry<Number> value =
+        convert<Number>(Isometry<Rational>{{rational(f.a.re), rational(f.a.im)}, {rational(f.b.re), rational(f.b.im)}});
+    nodes_.push_back({0, 0, normalized(inverse(centre) * value * centre), 1, std::move(f)});
+  }
+}
+
+MatrixProducts::Id MatrixProducts::product(Id x, Id y) {
+  nodes_.push_back({x, y, normalized(value(x) * value(y)), nodes_[index(x)].length + nodes_[index(y)].length, {}});
+  return static_cast<Id>(nodes_.size());
+}
+
+Isometry<MatrixProducts::Number> MatrixProducts::value(Id x) const {
+  const Isometry<Number>& f = nodes_[index(x)].value;
+  return x > 0 ? f : inverse(f);
+}
+
+certify::ExactIsometry MatrixProducts::known(Id x) const {
+  const certify::ExactIsometry& f = *nodes_[index(x)].exact;
+  return x > 0 ? f : certify::inverse(f);
+}
+
+certify::ExactIsometry MatrixProducts::exact(Id x) {
+  // Factors come before their products.
+  std::vector<std::size_t> needed{index(x)};
+  std::vector<bool> seen(nodes_.size());
+  for (std::size_t next = 0; next < needed.size(); ++next) {
+    const Node& node = nodes_[needed[next]];
+    if (node.exact) continue;
+    for (const Id factor : {node.left, node.right}) {
+      if (!seen[index(factor)]) needed.push_back(index(factor));
+      seen[index(factor)] = true;
+    }
+  }
+  std::sort(needed.begin(), needed.end());
+  for (const std::size_t i : needed) {
+    Node& node = nodes_[i];
+    if (node.exact) continue;
+    node.exact = certify::compose(known(node.left), known(node.right));
+    certify::reduce(*node.exact);
+    if (certify::bits(*node.exact) > kMostBitsOfProduct) {
+      throw LimitError("a product of matrices has more than " + std::to_string(kMostBitsOfProduct) + " bits");
+    }
+  }
+  return known(x);
+}
+
+std::optional<MatrixProducts::Letters> MatrixProducts::letters(Id x, std::size_t most) const {
+  if (nodes_[index(x)].length > static_cast<double>(most)) return std::nullopt;
+  Letters result;
+  std::vector<Id> rest{x};
+  while (!rest.empty()) {
+    const Id next = rest.back();
+    rest.pop_back();
+    const Node& node = nodes_[index(next)];
+    if (node.left == 0) {
+      result.push_back(next);
+    } else if (next > 0) {
+      rest.push_back(node.right);
+      rest.push_back(node.left);
+    } else {
+      rest.push_back(-node.left);
+      rest.push_back(-node.right);
+    }
+  }
+  return result;
 }
 
 }  // namespace epsnet

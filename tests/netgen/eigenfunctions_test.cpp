@@ -1,3 +1,5 @@
+#include "netgen/eigenvalues/eigenfunctions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -7,9 +9,8 @@
 #include <vector>
 
 #include "certify/claims/eigenvalues/overlaps.h"
-#include "netgen/eigenvalues/eigenfunctions.h"
 
-namespace epsnet::partition_sums_test {
+namespace epsnet::eigenfunctions_test {
 namespace {
 
 using Point = std::complex<double>;
@@ -67,4 +68,4 @@ TEST(PartitionSums, AreFiniteWhereTheFunctionsCover) {
 }
 
 }  // namespace
-}  // namespace epsnet::partition_sums_test
+}  // namespace epsnet::eigenfunctions_test

@@ -1,16 +1,17 @@
+#include "netgen/surfaces/field_numbers.h"
+
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "netgen/isometries/isometries.h"
-#include "netgen/surfaces/field_numbers.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
 #include "netgen/surfaces/triangle_group.h"
 #include "tests/netgen/matrix_texts.h"
 
-namespace epsnet::field_matrices_test {
+namespace epsnet::field_numbers_test {
 namespace {
 
 using test::made_of;
@@ -257,4 +258,4 @@ TEST(FieldMatrices, ThatAreWrittenWronglyAreNamed) {
 }
 
 }  // namespace
-}  // namespace epsnet::field_matrices_test
+}  // namespace epsnet::field_numbers_test

@@ -6,10 +6,26 @@
 #include <vector>
 
 #include "certify/numbers/exact.h"
+#include "certify/numbers/isometry.h"
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
+#include "triangulation/surface/surface.h"
 
+/// Isometries in the numbers of certify/numbers: those of words (group.h has them in the kernel's), and products of
+/// some generators.
 namespace epsnet {
+
+/// The crossing of a side of a rational tile, in integers.
+[[nodiscard]] certify::ExactIsometry integer_crossing(const Surface& surface, SideId side);
+
+/// The isometry of a word on rational tiles, from the coordinates of the tile where the path starts to those of the
+/// tile where it ends: the product of the crossings of its letters, the first one applied first. In integers without a
+/// common factor. Quasi-linear in the digits of the result.
+[[nodiscard]] certify::ExactIsometry integer_isometry(const Surface& surface, const Word& word);
+
+/// The same on any surface, scaled to determinant 1, in balls of about so many bits; ball arithmetic loses some more on
+/// long words over regular tiles.
+[[nodiscard]] certify::BallIsometry ball_isometry(const Surface& surface, const Word& word, slong precision);
 
 /// An exact isometry for the certifier's arithmetic: Gaussian integers without a common integer factor.
 [[nodiscard]] certify::ExactIsometry integral(const Isometry<Rational>& f);
