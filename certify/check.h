@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 #include "certify/documents.h"
 #include "certify/verdict/report.h"
 

@@ -3,13 +3,10 @@
 #include <array>
 #include <variant>
 
-#include "certify/claims/bound/check.h"
 #include "certify/claims/bound/fields.h"
 #include "certify/claims/distance/fields.h"
-#include "certify/claims/eigenvalues/check.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/geodesics/fields.h"
-#include "certify/claims/isometries/check.h"
 #include "certify/claims/isometries/fields.h"
 #include "certify/claims/net/fields.h"
 #include "certify/claims/pants/fields.h"

@@ -1,5 +1,5 @@
 # cmake -DHEADERS=LIST -DFROM=F -DTO=T -P user_headers.cmake: writes the headers of the folder F as users include them to the folder T:
-# "kernel/isometry.h" becomes <epsnet/kernel/isometry.h>, so that a user's folder of the same name cannot hide ours. What has not changed is not written.
+# "kernel/plane.h" becomes <epsnet/kernel/plane.h>, so that a user's folder of the same name cannot hide ours. What has not changed is not written.
 file(GLOB_RECURSE old RELATIVE ${TO} ${TO}/*.h)
 list(REMOVE_ITEM old ${HEADERS})
 foreach(header ${old})

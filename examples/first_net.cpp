@@ -37,9 +37,9 @@ int main(int argc, char** argv) {
 
   // The file can be checked by anybody: certify net.json
   std::ofstream file(folder / "net.json");
-  epsnet::certify::write_file(result.net, file);
+  epsnet::certify::write_file(result.document, file);
 
   std::ofstream picture(folder / "net.svg");
-  picture << epsnet::draw_svg(result.net, {.dirichlet = true, .colouring = epsnet::Colouring::circumradius});
+  picture << epsnet::draw_svg(result.document, {.dirichlet = true, .colouring = epsnet::Colouring::circumradius});
   return file.flush() && picture.flush() ? 0 : 1;
 }

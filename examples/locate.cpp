@@ -13,7 +13,7 @@
 
 int main() {
   const epsnet::CertifiedNet result = epsnet::certified_net(epsnet::random_octagon(123), epsnet::Length("0.25"));
-  epsnet::Locator locator(result.net);
+  epsnet::Locator locator(result.document);
   using epsnet::Rational;
   for (const auto& [x, y] :
        {std::array{Rational(0), Rational(0)}, {Rational(1, 2), Rational(1, 4)}, {Rational(-1, 3), Rational(1, 4)}}) {

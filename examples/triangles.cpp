@@ -30,7 +30,7 @@ double angle(const Point& p, const Point& q, const Point& r) {
 
 int main() {
   const epsnet::CertifiedNet result = epsnet::certified_net(epsnet::random_octagon(123), epsnet::Length("0.25"));
-  const epsnet::certify::NetDocument& net = result.net;
+  const epsnet::certify::NetDocument& net = result.document;
 
   // Evaluates the isometries of the net. It refers to the document, which has to live longer.
   const epsnet::NetGeometry geometry(net);

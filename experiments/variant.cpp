@@ -16,10 +16,10 @@
 
 #include "certify/base/interval.h"
 #include "certify/check.h"
-#include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// The program `variant`: makes nets of a surface in one of the ways that the thesis compares, proves each by the rules
 /// of `certify`, and prints what the thesis measures, a line (CSV) for each ε.
@@ -72,7 +72,7 @@ Columns columns(const VariantNet& net, const certify::Certificate& certificate, 
   const double systole = std::min(systole_lower_bound(enclosures.epsilon.lower, loop_or_infinity),
                                   systole_lower_bound(enclosures.epsilon.upper, loop_or_infinity));
   const bool by_flips = variant.insertion == Insertion::flips;
-  return {{"epsilon", net.net.epsilon},
+  return {{"epsilon", net.document.epsilon},
           {"insertion", std::string(name_in(kInsertionNames, variant.insertion))},
           {"walk", std::string(by_flips ? name_in(kWalkNames, variant.walk) : "")},
           {"list", std::string(name_in(kTriangleListNames, variant.list.value_or(TriangleList::large_back)))},
@@ -103,7 +103,7 @@ Columns certified_record(const Surface& surface, const Length& epsilon, const Va
   const double start = processor_seconds();
   const VariantNet net = compute_variant(surface, epsilon, variant, {.threads = kThreads});
   const double computed = processor_seconds();
-  const certify::Certificate certificate = certify::check(net.net, {.threads = kThreads});
+  const certify::Certificate certificate = certify::check(net.document, {.threads = kThreads});
   if (certificate.verdict != certify::Verdict::verified)
     throw NetError("epsilon " + epsilon.text() + ": the net was not verified: " + certificate.rule + ": " +
                    certificate.message);

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "certify/net/surface_check.h"
-#include "netgen/exchange/domain_format.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace {
 

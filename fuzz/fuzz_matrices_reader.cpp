@@ -5,7 +5,7 @@
 
 #include "certify/net/surface_check.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace {
 

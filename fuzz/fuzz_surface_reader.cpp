@@ -6,7 +6,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/surface_check.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "certify/net/surface_check.h"
-#include "netgen/exchange/triangulation_stream.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace {
 

@@ -51,17 +51,17 @@ inline void require_net(const epsnet::Surface& surface, double least, Bytes& byt
 
   // An exception is a finding.
   const epsnet::VariantNet result = epsnet::compute_variant(surface, epsnet::Length(epsilon), variant, options);
-  const epsnet::certify::Certificate certificate = epsnet::certify::check(result.net, options.check);
+  const epsnet::certify::Certificate certificate = epsnet::certify::check(result.document, options.check);
   require(certificate.verdict == epsnet::certify::Verdict::verified);
   require(certificate.counts.genus == surface.genus());
   const double sinh_half = std::sinh(epsilon / 2);
   if (!options.pseudo)
-    require(static_cast<double>(result.net.vertices.size()) * sinh_half * sinh_half >= surface.genus() - 1 - 1e-9);
+    require(static_cast<double>(result.document.vertices.size()) * sinh_half * sinh_half >= surface.genus() - 1 - 1e-9);
 
   std::ostringstream out;
-  epsnet::certify::write_file(result.net, out);
+  epsnet::certify::write_file(result.document, out);
   const auto read = epsnet::certify::parse_file<epsnet::certify::NetDocument>(out.str(), "written");
-  require(read == result.net);
+  require(read == result.document);
   require(epsnet::certify::check(read, options.check).verdict == epsnet::certify::Verdict::verified);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/isometry.h"
+#include "kernel/plane.h"
 
 namespace epsnet {
 

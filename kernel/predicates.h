@@ -91,8 +91,8 @@ template <class T>
   return detail::sign_beyond(det, bound);
 }
 
-/// The sign of in_circle_determinant(a, b, c, d): 1 if d lies strictly inside the circle through a, b, c
-/// (counterclockwise).
+/// 1, 0 or −1 if d lies inside, on or outside the circle through a, b, c (counterclockwise). Hyperbolic circles are
+/// Euclidean ones of the Poincaré disk, so this is the sign of the Euclidean determinant, with d as origin.
 ///
 /// Error bound: 16u(αβ + βγ + γα) + 40 e M³ with α, β, γ the squared distances of a, b, c from d, M² the largest of
 /// them, e = `error` (docs/error-bounds.md, E1).

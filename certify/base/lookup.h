@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 
 /// Invariants between the parts of the checker, checked in every build. A lookup of a missing element would read
 /// another one, and a verdict about that one could be VERIFIED.

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "certify/exact/claim_documents.h"
 #include "certify/exact/claim_rules.h"
 #include "certify/exact/document.h"
 #include "certify/exact/json.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "certify/exact/claim_documents.h"
+#include "certify/exact/document.h"
 #include "certify/exact/interval.h"
 #include "certify/exact/net_rules.h"
 
@@ -43,5 +43,9 @@ std::vector<Rule> kept(const std::shared_ptr<Owner>& owner, std::vector<Rule> ru
   for (Rule& rule : rules) rule.ask = [owner, ask = std::move(rule.ask)] { ask(); };
   return rules;
 }
+
+/// Section 17.1 of docs/proof.md: the rule `enclosures`. Throws Refutation. Intervals of eigenfunctions are disjoint
+/// and in order.
+void check_enclosures(const EigenvaluesDocument& document);
 
 }  // namespace epsnet::exact

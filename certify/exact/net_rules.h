@@ -10,10 +10,10 @@
 
 #include "certify/exact/algebraic.h"
 #include "certify/exact/document.h"
+#include "certify/exact/interval.h"
 #include "certify/exact/net_structure.h"
 #include "certify/exact/number_field.h"
 #include "certify/exact/plane.h"
-#include "certify/exact/squared_sinh.h"
 
 /// The rules of nets and pseudo nets, in the order of docs/proof.md.
 namespace epsnet::exact {

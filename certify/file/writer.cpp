@@ -17,8 +17,7 @@
 
 #include "certify/claims.h"
 #include "certify/file/compact.h"
-#include "certify/net/darts.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify {
 namespace {

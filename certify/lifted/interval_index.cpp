@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "certify/base/lookup.h"
-#include "certify/numbers/rounding.h"
+#include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <numeric>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 #include "certify/net/triangulation_check.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "certify/numbers/ball_vector.h"
 #include "certify/numbers/isometry.h"
 
 /// The hyperboloid model in ball arithmetic.

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
 #include "certify/net/filter.h"
 #include "certify/net/geometry_pass.h"
 #include "certify/net/lifted_triangle.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
+#include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
-#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {

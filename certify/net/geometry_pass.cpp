@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify::geometry {
 namespace {

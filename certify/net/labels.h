@@ -8,7 +8,7 @@
 
 #include "certify/base/lookup.h"
 #include "certify/net/document.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/field_number.h"
 #include "certify/numbers/isometry.h"

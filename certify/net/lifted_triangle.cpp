@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certify/net/darts.h"
-#include "certify/numbers/rounding.h"
+#include "certify/net/numbering.h"
+#include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
 namespace {

@@ -10,9 +10,9 @@
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
 #include "certify/net/document.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
-/// What a document must satisfy before any rule of check.h makes sense: indices point somewhere, every side is glued
+/// What a document must satisfy before any rule makes sense: indices point somewhere, every side is glued
 /// once, words compose, labels are used in the charts they belong to, coordinates are finite and inside the disk.
 ///
 /// A document without these is not a wrong net but no net: MALFORMED. O(size of the document), exact.

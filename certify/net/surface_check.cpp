@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "certify/base/text.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
-#include "certify/net/surface_sides.h"
-#include "certify/numbers/ball_vector.h"
+#include "certify/numbers/ball.h"
+#include "certify/numbers/isometry.h"
 #include "certify/numbers/parallel.h"
-#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
 #include "certify/net/surface_check.h"
+#include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
-#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {

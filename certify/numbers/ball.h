@@ -1,13 +1,7 @@
 #pragma once
 
-#if __has_include(<flint/arb.h>)
-#include <flint/acb.h>
-#include <flint/arb.h>
-#else
-#include <acb.h>
-#include <arb.h>
-#endif
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <flint/fmpq.h>
@@ -17,9 +11,16 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/fault.h"
+#if __has_include(<flint/arb.h>)
+#include <flint/acb.h>
+#include <flint/arb.h>
+#else
+#include <acb.h>
+#include <arb.h>
+#endif
+
+#include "certify/base/error.h"
 #include "certify/base/interval.h"
-#include "certify/numbers/rounding.h"
 
 /// Real and complex balls with operators, and comparisons that cannot be misread.
 ///
@@ -27,6 +28,11 @@
 /// of points in the arguments; where the function has no value the ball is not finite. Objects passed twice mean the
 /// same number twice. Enclosing is Arb's business; this header owns memory, rounds, and asks the right questions.
 namespace epsnet::certify {
+
+/// A binary64 below (above) x, a unit in the last place or two away: |x| 2⁻⁵² is at least such a unit, and where it
+/// underflows the least positive number is one. NaN if x is NaN, and below +∞, above −∞.
+[[nodiscard]] inline double below(double x) { return x - (std::fabs(x) * 0x1p-52 + 0x1p-1074); }
+[[nodiscard]] inline double above(double x) { return x + (std::fabs(x) * 0x1p-52 + 0x1p-1074); }
 
 /// An answer about balls. There is no conversion to bool: `unknown` is not `no`.
 enum class Tri { no, yes, unknown };
@@ -357,6 +363,28 @@ template <class Item, class BallOf>
   });
   const auto in_doubt = [&](const Item& x, const Item& y) { return certainly_less(ball(x), ball(y)) != Tri::yes; };
   return std::adjacent_find(items.begin(), items.end(), in_doubt) == items.end();
+}
+
+// How many bits balls have, and when exact arithmetic takes over.
+
+/// Bits that a question is asked with first: they decide nearly all.
+inline constexpr long kFirstPrecision = 64;
+
+/// Bits from which on exact arithmetic is tried on what balls leave open. No precision of balls decides an exact tie;
+/// but an exact answer takes as much time as many passes with balls, and near ties are decided by a few more bits. A
+/// net has as many edges as one likes, and its near ties do not reach 256 bits.
+inline constexpr long kExactFromForEdges = 256;
+
+/// Calls attempt(precision) with `first` bits, with twice as many, and so on, the last time with `cap` bits (once, if
+/// `cap` is not more than `first`), until it returns true: decided. Returns whether it did. Balls round to as many
+/// bits.
+template <class Attempt>
+bool with_rising_precision(long cap, const Attempt& attempt, long first = kFirstPrecision) {
+  for (long precision = std::min(first, cap);; precision = std::min(2 * precision, cap)) {
+    const Precision scope(precision);
+    if (attempt(precision)) return true;
+    if (precision >= cap) return false;
+  }
 }
 
 }  // namespace epsnet::certify

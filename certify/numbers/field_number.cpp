@@ -9,7 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {

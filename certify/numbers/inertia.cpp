@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "certify/base/lookup.h"
+#include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
-#include "certify/numbers/rounding.h"
 
 namespace epsnet::certify {
 namespace {

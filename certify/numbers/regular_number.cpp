@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "certify/numbers/precision.h"
+#include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
 namespace {

@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 #include "certify/check.h"
 #include "certify/file/compact.h"
 #include "certify/file/document_reader.h"

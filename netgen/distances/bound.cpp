@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "certify/numbers/parallel.h"
-#include "netgen/distances/cell_base.h"
 #include "netgen/distances/distances.h"
 #include "netgen/distances/vertex_triangulation.h"
 #include "netgen/nets/certified_net.h"

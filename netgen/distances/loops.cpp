@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/isometry.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distances.h"

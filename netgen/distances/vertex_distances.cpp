@@ -13,14 +13,14 @@
 #include <utility>
 
 #include "certify/check.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/surface/atlas.h"
 
 namespace epsnet {

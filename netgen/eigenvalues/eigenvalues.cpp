@@ -13,7 +13,6 @@
 
 #include "certify/numbers/inertia.h"
 #include "certify/numbers/parallel.h"
-#include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/eigenvalues/local_functions.h"
 #include "netgen/lifts/lifts.h"
@@ -119,7 +118,7 @@ class Search {
     net_options.progress = [&](std::string_view what, double share) {
       geometry_ ? report("matrices", 0) : report(what, share);
     };
-    certify::NetDocument net = compute_net(surface_, epsilon, net_options).net;
+    certify::NetDocument net = compute_net(surface_, epsilon, net_options).document;
     geometry_.reset();
     document_.net = std::move(net);
     geometry_.emplace(document_.net);

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
 
 namespace epsnet {

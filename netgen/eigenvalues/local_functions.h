@@ -8,7 +8,7 @@
 
 #include "certify/claims/eigenvalues/document.h"
 #include "netgen/base/options.h"
-#include "netgen/eigenvalues/partition_sums.h"
+#include "netgen/eigenvalues/eigenfunctions.h"
 #include "netgen/lifts/lifts.h"
 
 /// Eigenfunctions to many digits, as functions around the vertices of a net that nearly fit together.

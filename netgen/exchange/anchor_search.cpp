@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "netgen/base/disjoint_sets.h"
-#include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/gaussian_integers.h"
-#include "netgen/exchange/two_squares.h"
 
 namespace epsnet {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "netgen/exchange/triangulation_stream.h"
+#include "netgen/exchange/text_formats.h"
 
 namespace epsnet {
 

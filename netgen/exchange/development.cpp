@@ -5,9 +5,8 @@
 #include "certify/base/text.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/anchor_search.h"
-#include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/gaussian_integers.h"
-#include "netgen/exchange/triangulation_stream.h"
+#include "netgen/exchange/text_formats.h"
 
 /// The surface of a triangulation given by cross-ratios: triangles are placed one after the other, breadth first,
 /// starting with the anchors.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <iosfwd>
 #include <string>
 #include <string_view>
@@ -41,11 +40,6 @@ inline constexpr std::size_t kMaxTextBytes = std::size_t{256} << 20;
 /// its length. Time is linear up to logarithmic factors, except for polygons that are not convex.
 [[nodiscard]] Surface import_surface(std::string_view text, std::string_view name,
                                      ExchangeFormat format = ExchangeFormat::automatic);
-
-/// Like import_surface, for a file. The file is read once, so it may be a pipe. Throws ExchangeError, or
-/// certify::FileError if it cannot be read.
-[[nodiscard]] Surface import_surface_file(const std::filesystem::path& path,
-                                          ExchangeFormat format = ExchangeFormat::automatic);
 
 /// Returns the tiles of a surface as the triangles of a net: exactly this triangulation, with nothing moved, added or
 /// flipped. certify::check decides whether it is an ε-net.

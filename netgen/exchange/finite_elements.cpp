@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "netgen/exchange/drawn_mesh.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"

@@ -20,7 +20,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
-#include "netgen/surfaces/word_isometry.h"
+#include "netgen/surfaces/exact_isometries.h"
 
 namespace epsnet {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "certify/numbers/exact.h"
 #include "kernel/lorentz.h"
+#include "netgen/surfaces/exact_isometries.h"
 #include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/triangle_group.h"
-#include "netgen/surfaces/word_isometry.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet {

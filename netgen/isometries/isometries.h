@@ -9,7 +9,7 @@
 #include "certify/claims/isometries/document.h"
 #include "netgen/base/options.h"
 #include "netgen/prove/certified.h"
-#include "netgen/surfaces/maps_and_covers.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 

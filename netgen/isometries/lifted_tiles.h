@@ -4,12 +4,78 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/isometry.h"
 #include "kernel/lorentz.h"
-#include "netgen/isometries/motion.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
+
+/// An isometry of the plane that may reverse orientation, as a linear map of Minkowski space: the images of the three
+/// unit vectors.
+template <class T>
+struct Motion {
+  LorentzVector<T> x{T(1), T(0), T(0)};
+  LorentzVector<T> y{T(0), T(1), T(0)};
+  LorentzVector<T> t{T(0), T(0), T(1)};
+
+  [[nodiscard]] LorentzVector<T> operator()(const LorentzVector<T>& v) const { return v.x * x + v.y * y + v.t * t; }
+};
+
+/// Requires: f has determinant 1.
+template <class T>
+[[nodiscard]] Motion<T> motion(const Isometry<T>& f) {
+  const Motion<T> units;
+  return {image(f, units.x), image(f, units.y), image(f, units.t)};
+}
+
+/// f ∘ g.
+template <class T>
+[[nodiscard]] Motion<T> operator*(const Motion<T>& f, const Motion<T>& g) {
+  return {f(g.x), f(g.y), f(g.t)};
+}
+
+template <class T>
+[[nodiscard]] Motion<T> inverse(const Motion<T>& f) {
+  return {{f.x.x, f.y.x, T(-f.t.x)}, {f.x.y, f.y.y, T(-f.t.y)}, {T(-f.x.t), T(-f.y.t), f.t.t}};
+}
+
+template <class T>
+[[nodiscard]] bool preserves_orientation(const Motion<T>& f) {
+  return lorentz_product(lorentz_cross(f.x, f.y), f.t) > 0;
+}
+
+/// f ∘ g ∘ f⁻¹. Requires: g has determinant 1.
+template <class T>
+[[nodiscard]] Isometry<T> conjugated(const Motion<T>& f, const Isometry<T>& g) {
+  const LorentzVector<T> n = f(axis_normal(g));
+  const T sign(preserves_orientation(f) ? 1 : -1);
+  return {{g.a.x, T(sign * n.t)}, {T(sign * n.y), T(-sign * n.x)}};
+}
+
+/// The isometry f with f ∘ x ∘ f⁻¹ = x' and f ∘ y ∘ f⁻¹ = y'. Requires: hyperbolic elements of determinant 1 with Re a
+/// > 0, of which x and y have no end of their axes in common; x and x' have the same trace, y and y', xy and x'y'.
+template <class T>
+[[nodiscard]] Motion<T> motion_of_pairs(const Isometry<T>& x, const Isometry<T>& y, const Isometry<T>& x2,
+                                        const Isometry<T>& y2) {
+  // The traceless parts n of elements move like vectors, up to the sign of the orientation. The three vectors u, v and
+  // w = u × v are a basis; its dual one is (v × w, w × u, w)/⟨w, w⟩.
+  const LorentzVector<T> u = axis_normal(x);
+  const LorentzVector<T> v = axis_normal(y);
+  const LorentzVector<T> w = lorentz_cross(u, v);
+  const LorentzVector<T> dual_u = lorentz_cross(v, w);
+  const LorentzVector<T> dual_v = lorentz_cross(w, u);
+  const LorentzVector<T> u2 = axis_normal(x2);
+  const LorentzVector<T> v2 = axis_normal(y2);
+  const LorentzVector<T> w2 = lorentz_cross(u2, v2);
+  const T scale = T(1) / lorentz_product(w, w);
+  const auto moved = [&](const LorentzVector<T>& p) {
+    return scale * (lorentz_product(dual_u, p) * u2 + lorentz_product(dual_v, p) * v2 + lorentz_product(w, p) * w2);
+  };
+  const Motion<T> units;
+  const Motion<T> result{moved(units.x), moved(units.y), moved(units.t)};
+  const T minus(-1);
+  return result.t.t > 0 ? result : Motion<T>{minus * result.x, minus * result.y, minus * result.t};
+}
 
 /// The tiles of a surface as they tile the plane, evaluated once: walks to a point, and the elements of the group that
 /// move a point not far. Numbers have 256 bits where nothing else is said. Read-only, so threads may

@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "certify/base/text.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/nets/bounds.h"
+#include "netgen/nets/refine.h"
 #include "netgen/surfaces/field_tiles.h"
 
 namespace epsnet {

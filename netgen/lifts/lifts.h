@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "certify/net/document.h"
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
@@ -105,7 +105,7 @@ class NetGeometry {
   /// corner.
   [[nodiscard]] double edge_length(std::uint32_t dart) const;
 
-  /// The sides of the tiles (certify/net/surface_sides.h).
+  /// The sides of the tiles (certify/net/numbering.h).
   [[nodiscard]] const certify::SurfaceSides& sides() const { return *sides_; }
   /// Returns the genus of the surface, from V − E + F = 2 − 2g for its tiles; 0 if that gives no genus.
   [[nodiscard]] std::uint32_t genus() const { return genus_; }

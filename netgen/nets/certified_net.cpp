@@ -67,21 +67,21 @@ VariantNet compute_variant(const Surface& surface, const Length& epsilon, const 
                            const NetOptions& options) {
   TriangulatedNet net = triangulated_net(surface, epsilon, options, variant);
   VariantNet result{net_document(net.triangulation, epsilon), net.statistics};
-  result.net.collars = std::move(net.collars);
-  result.statistics.charts = result.net.charts.size();
-  result.statistics.labels = result.net.labels.size();
+  result.document.collars = std::move(net.collars);
+  result.statistics.charts = result.document.charts.size();
+  result.statistics.labels = result.document.labels.size();
   return result;
 }
 
 UncertifiedNet compute_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
   VariantNet net = compute_variant(surface, epsilon, {}, options);
-  return {std::move(net.net), net.statistics};
+  return {std::move(net.document), net.statistics};
 }
 
 CertifiedNet certified_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
   UncertifiedNet net = compute_net(surface, epsilon, options);
-  certify::Certificate certificate = proof_of(net.net, options.check);
-  return {std::move(net.net), std::move(certificate), net.statistics};
+  certify::Certificate certificate = proof_of(net.document, options.check);
+  return {{std::move(net.document), std::move(certificate)}, net.statistics};
 }
 
 CertifiedNet certified_net(const Surface& surface, double epsilon, const NetOptions& options) {

@@ -71,16 +71,14 @@ class ClosePointsError : public NetError {
   std::uint32_t second_;
 };
 
-/// An ε-net whose certificate says VERIFIED.
-struct CertifiedNet {
-  certify::NetDocument net;
-  certify::Certificate certificate;
+/// An ε-net with its proof.
+struct CertifiedNet : Certified<certify::NetDocument> {
   NetStatistics statistics;
 };
 
 /// A net that is not proved yet; certify::check can prove its document.
 struct UncertifiedNet {
-  certify::NetDocument net;
+  certify::NetDocument document;
   NetStatistics statistics;
 };
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/net/document.h"
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 

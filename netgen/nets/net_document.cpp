@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "netgen/base/gmp.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/mesh/editor.h"
 
 namespace epsnet {

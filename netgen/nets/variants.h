@@ -50,7 +50,7 @@ struct RefinementStatistics : NetStatistics {
 
 /// A net that is not proved, with the statistics of the thesis.
 struct VariantNet {
-  certify::NetDocument net;
+  certify::NetDocument document;
   RefinementStatistics statistics;
 };
 

@@ -7,7 +7,7 @@
 
 #include "kernel/lorentz.h"
 #include "netgen/base/gmp.h"
-#include "netgen/surfaces/word_isometry.h"
+#include "netgen/surfaces/exact_isometries.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet {

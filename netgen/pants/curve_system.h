@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/isometry.h"
 #include "kernel/lorentz.h"
+#include "kernel/plane.h"
 #include "netgen/isometries/lifted_tiles.h"
 #include "triangulation/surface/surface.h"
 

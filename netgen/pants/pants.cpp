@@ -17,7 +17,7 @@ namespace epsnet {
 namespace {
 
 /// A pants decomposition before the proof.
-struct Pieces {
+struct UnprovedPants {
   PantsGraph graph;
   std::vector<PantsPaths> pants;
   std::vector<Word> across;
@@ -26,16 +26,16 @@ struct Pieces {
 /// Of the net in a pants file: any net will do.
 constexpr double kEpsilon = 1;
 
-PantsDecomposition with_coordinates(const Surface& surface, Pieces pieces) {
-  const std::vector<CuffCoordinates> cuffs = cuff_coordinates(surface, pieces.graph, pieces.pants, pieces.across);
-  PantsDecomposition result{{}, std::move(pieces.graph), {}, {}};
-  for (const auto& [paths] : pieces.pants) {
+PantsDecomposition with_coordinates(const Surface& surface, UnprovedPants found) {
+  const std::vector<CuffCoordinates> cuffs = cuff_coordinates(surface, found.graph, found.pants, found.across);
+  PantsDecomposition result{{}, std::move(found.graph), {}, {}};
+  for (const auto& [paths] : found.pants) {
     result.pants.push_back({paths[0], paths[1], reversed(surface, concatenated(surface, paths[0], paths[1]))});
   }
   for (std::size_t e = 0; e < cuffs.size(); ++e) {
     const PantsGraph::End& end = result.graph.edges()[e][0];
     result.cuffs.push_back({result.pants[end.pants][end.cuff], cuffs[e].length, cuffs[e].twist, cuffs[e].root,
-                            std::move(pieces.across[e])});
+                            std::move(found.across[e])});
   }
   return result;
 }
@@ -55,12 +55,12 @@ certify::PantsDocument document_of(const PantsDecomposition& pants, certify::Net
   return result;
 }
 
-PantsDecomposition proved_pants(const Surface& surface, Pieces pieces, const PantsOptions& options) {
-  PantsDecomposition result = with_coordinates(surface, std::move(pieces));
+PantsDecomposition proved_pants(const Surface& surface, UnprovedPants found, const PantsOptions& options) {
+  PantsDecomposition result = with_coordinates(surface, std::move(found));
   NetOptions of_net;
   of_net.threads = options.threads;
   Certified<certify::PantsDocument>& file = result;
-  file = proved(document_of(result, compute_net(surface, Length(kEpsilon), of_net).net), options.threads);
+  file = proved(document_of(result, compute_net(surface, Length(kEpsilon), of_net).document), options.threads);
   return result;
 }
 
@@ -76,7 +76,7 @@ std::optional<std::uint32_t> cuff_of_side(std::uint32_t side) {
 }
 
 /// Returns the pants that the tiles are, if they are such heptagons; not proved.
-std::optional<Pieces> own_pants(const Surface& surface) {
+std::optional<UnprovedPants> own_pants(const Surface& surface) {
   if (!surface.is_rational()) return std::nullopt;
   const auto count = static_cast<std::uint32_t>(surface.tiles().size());
   std::vector<PantsPaths> pants;
@@ -105,7 +105,7 @@ std::optional<Pieces> own_pants(const Surface& surface) {
   PantsGraph graph(nodes);
   // Marks depend on the numbers of cuffs.
   if (graph.edges() != ends) return std::nullopt;
-  return Pieces{std::move(graph), std::move(pants), std::move(across)};
+  return UnprovedPants{std::move(graph), std::move(pants), std::move(across)};
 }
 
 /// Returns a closed path with its tile.
@@ -216,8 +216,8 @@ std::vector<FoundPants> complete(const Surface& surface, CurveSystem& system) {
 }
 
 /// Returns the pants with the cuffs in the order that the edges of a graph give them, and paths across the edges.
-Pieces assembled(const Surface& surface, const CurveSystem& system, const std::vector<FoundPants>& found,
-                 const std::vector<std::uint32_t>& order) {
+UnprovedPants assembled(const Surface& surface, const CurveSystem& system, const std::vector<FoundPants>& found,
+                        const std::vector<std::uint32_t>& order) {
   // By curve and side: the pants, and the place of the cuff among those found.
   std::vector<std::array<PantsGraph::End, 2>> beside(system.size());
   for (std::uint32_t p = 0; p < found.size(); ++p) {
@@ -280,8 +280,8 @@ FenchelNielsen PantsDecomposition::coordinates() const {
 
 PantsDecomposition pants_decomposition(const Surface& surface, const PantsOptions& options) {
   if (options.own && options.curves.empty()) {
-    if (auto pieces = own_pants(surface)) {
-      PantsDecomposition result = proved_pants(surface, *std::move(pieces), options);
+    if (auto found = own_pants(surface)) {
+      PantsDecomposition result = proved_pants(surface, *std::move(found), options);
       result.own = true;
       return result;
     }

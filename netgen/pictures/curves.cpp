@@ -11,8 +11,7 @@
 #include <utility>
 
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "netgen/lifts/lifts.h"
-#include "netgen/pictures/net_pictures.h"
+#include "netgen/pictures/pictures.h"
 
-/// Curves on the surface of a net, cut by its triangles. The functions of net_pictures.h that make layers, for a net
+/// Curves on the surface of a net, cut by its triangles. The functions of pictures.h that make layers, for a net
 /// that is laid out already.
 namespace epsnet {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
 namespace {

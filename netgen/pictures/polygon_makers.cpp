@@ -16,7 +16,7 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// The pictures of pictures.h that show a polygon: what is in them.
 namespace epsnet {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "kernel/isometry.h"
+#include "kernel/plane.h"
 
 namespace epsnet {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/curves.h"
-#include "netgen/pictures/net_pictures.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg.h"
 #include "netgen/pictures/viewer_page.h"
 

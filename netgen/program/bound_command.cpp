@@ -13,7 +13,7 @@
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
 #include "netgen/prove/certified.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::program {
 namespace {

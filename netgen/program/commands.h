@@ -24,7 +24,7 @@
 #include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/surface.h"
 
-/// The commands of the program `epsnet`, one file each: their options, and their work.
+/// The commands of the program `epsnet`, a file for each or for some that are alike: their options, and their work.
 namespace epsnet::program {
 
 /// The work of a command, to be run after the command line is read.

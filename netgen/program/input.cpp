@@ -12,9 +12,9 @@
 #include "certify/file/compact.h"
 #include "certify/file/document_reader.h"
 #include "certify/file/reader.h"
-#include "netgen/exchange/triangulation_stream.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/program/output.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::program {
 namespace {

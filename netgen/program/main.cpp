@@ -15,12 +15,10 @@
 #include <vector>
 
 #include "certify/base/error.h"
-#include "certify/base/fault.h"
 #include "netgen/base/atomic_file.h"
+#include "netgen/program/command_line.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/help.h"
 #include "netgen/program/output.h"
-#include "netgen/program/parse_error.h"
 #include "netgen/prove/certified.h"
 #include "triangulation/surface/error.h"
 

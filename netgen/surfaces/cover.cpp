@@ -9,8 +9,8 @@
 #include "certify/file/json.h"
 #include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/one_relator.h"
+#include "netgen/surfaces/relations.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/lorentz.h"
-#include "netgen/surfaces/matrix_products.h"
+#include "netgen/surfaces/exact_isometries.h"
 
 namespace epsnet {
 

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <array>
 #include <gmpxx.h>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "kernel/plane.h"
+#include "netgen/surfaces/group.h"
 #include "netgen/surfaces/triangle_group.h"
 
-/// The real numbers of the ring of a triangle group, as texts.
+/// The real numbers of the ring of a triangle group, as texts, and matrices of them.
 namespace epsnet {
 
 /// A number of the ring, divided by an integer: exactly, and rounded.
@@ -25,5 +28,16 @@ struct RingNumber {
 /// Texts of real numbers that parse_ring_number reads, up to a common positive integer factor. Requires: the degrees
 /// of the numbers are less than half of the order.
 [[nodiscard]] std::vector<std::string> field_texts(const std::vector<certify::RegularNumber>& numbers);
+
+/// The isometry of the disk of a matrix with these numbers, as its text has them, up to scale. w = (z − i)/(z + i)
+/// takes the half-plane to the disk.
+template <class T>
+[[nodiscard]] Isometry<T> isometry_of_entries(const std::array<T, 4>& e, MatrixModel model) {
+  if (model == MatrixModel::su11) return {{e[0], e[1]}, {e[2], e[3]}};
+  return {{T(e[0] + e[3]), T(e[1] - e[2])}, {T(e[0] - e[3]), T(-e[1] - e[2])}};
+}
+
+/// surface_of_matrices for matrices in the ring of a triangle group: `matrices.tile` is there. Throws likewise.
+[[nodiscard]] MatrixSurface surface_of_field_matrices(const MatrixGenerators& matrices);
 
 }  // namespace epsnet

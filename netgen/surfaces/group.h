@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/surface.h"
 
 /// The group of a surface: words as isometries, exactly and enclosed to any precision; the fundamental polygon, whose

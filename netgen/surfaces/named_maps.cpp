@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "certify/file/json.h"
-#include "netgen/surfaces/maps_and_covers.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
 namespace {

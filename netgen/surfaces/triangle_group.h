@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/numbers/regular_number.h"
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/surface.h"
 
 /// The rotation group of the tiling of the plane by regular p-gons, q of them at each vertex, exactly: the orientation

@@ -11,8 +11,8 @@
 
 #include "certify/base/interval.h"
 #include "certify/net/document.h"
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 

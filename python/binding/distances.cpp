@@ -6,7 +6,6 @@
 
 #include "netgen/nets/dirichlet_polygon.h"
 #include "python/binding/documents.h"
-#include "python/binding/nets.h"
 
 namespace epsnet::python {
 namespace {

@@ -9,7 +9,7 @@
 #include "certify/file/writer.h"
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
-#include "netgen/pictures/net_pictures.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/prove/certified.h"
 #include "python/binding/binding.h"
 #include "python/binding/job.h"
@@ -66,5 +66,7 @@ void bind_document(Class& bound) {
         return interruptible([=] { return *a == *b; });
       });
 }
+
+using SharedNet = Shared<certify::NetDocument>;
 
 }  // namespace epsnet::python

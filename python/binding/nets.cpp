@@ -1,5 +1,3 @@
-#include "python/binding/nets.h"
-
 #include <complex>
 #include <cstddef>
 #include <memory>
@@ -12,8 +10,9 @@
 #include "netgen/lifts/info.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/net_pictures.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/pictures/pictures.h"
+#include "netgen/surfaces/surfaces.h"
+#include "python/binding/documents.h"
 
 namespace epsnet::python {
 namespace {

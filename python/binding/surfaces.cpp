@@ -1,3 +1,5 @@
+#include "netgen/surfaces/surfaces.h"
+
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/exchange/exchange.h"
@@ -6,9 +8,6 @@
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
 #include "python/binding/binding.h"
 #include "python/binding/job.h"
 #include "triangulation/surface/surface.h"

@@ -15,7 +15,7 @@
 #include "certify/check.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/mesh/operations.h"
 
 namespace {
@@ -70,13 +70,13 @@ void certify(benchmark::State& state) {
   epsnet::certify::CheckOptions options;
   options.threads = 1;
   for (auto _ : state) {
-    const auto certificate = epsnet::certify::check(net.net, options);
+    const auto certificate = epsnet::certify::check(net.document, options);
     if (certificate.verdict != epsnet::certify::Verdict::verified) {
       state.SkipWithError("not verified");
     }
   }
-  state.counters["triangles/s"] =
-      benchmark::Counter(static_cast<double>(net.net.triangles.size()), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["triangles/s"] = benchmark::Counter(static_cast<double>(net.document.triangles.size()),
+                                                     benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(certify)->Arg(100)->Arg(10)->Unit(benchmark::kMillisecond);
 

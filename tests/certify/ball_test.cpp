@@ -13,8 +13,6 @@
 
 #include "certify/numbers/isometry.h"
 #include "certify/numbers/parallel.h"
-#include "certify/numbers/precision.h"
-#include "certify/numbers/rounding.h"
 
 namespace epsnet::certify::ball_test {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/moving_vertex.h"
 

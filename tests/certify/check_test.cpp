@@ -9,7 +9,7 @@
 
 #include "certify/base/text.h"
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify::check_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
 /// What the tests of all claims ask of a document, and of the text of its file.
 namespace epsnet::certify {

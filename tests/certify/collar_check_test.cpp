@@ -7,7 +7,7 @@
 #include "certify/check.h"
 #include "certify/claims/net/collars.h"
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
 #include "certify/net/surface_check.h"
 #include "tests/certify/far_words.h"

@@ -2,8 +2,8 @@
 
 #include "certify/base/text.h"
 #include "certify/check.h"
-#include "certify/claims/geodesics/crossing_pass.h"
-#include "certify/net/surface_sides.h"
+#include "certify/claims/geodesics/crossing_search.h"
+#include "certify/net/numbering.h"
 #include "tests/certify/lifted_reference.h"
 #include "tests/certify/turned.h"
 

@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 #include "certify/exact/checker.h"
 
 /// A second checker that says of every file what EPSNET_SECOND_VERDICT says, to see the program `certify` when its two

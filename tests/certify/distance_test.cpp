@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/net/darts.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/far_words.h"
 

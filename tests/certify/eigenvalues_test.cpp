@@ -22,14 +22,13 @@
 #endif
 
 #include "certify/check.h"
-#include "certify/claims/eigenvalues/check.h"
 #include "certify/claims/eigenvalues/eigenfunction.h"
-#include "certify/claims/eigenvalues/halved_net.h"
-#include "certify/claims/eigenvalues/mismatch.h"
-#include "certify/claims/eigenvalues/near_vertices.h"
+#include "certify/claims/eigenvalues/fields.h"
+#include "certify/claims/eigenvalues/forms.h"
+#include "certify/claims/eigenvalues/overlaps.h"
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
 #include "certify/net/labels.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/inertia.h"
 #include "tests/certify/reference.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "certify/net/document.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify {
 

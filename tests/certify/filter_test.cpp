@@ -16,8 +16,8 @@
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
 #include "certify/net/lifted_triangle.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 
 /// Whatever the filter says must be true in rationals; inputs are chosen where it hardly is.

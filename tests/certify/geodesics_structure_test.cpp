@@ -10,7 +10,7 @@
 #include "certify/check.h"
 #include "certify/claims/geodesics/fields.h"
 #include "certify/file/reader.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
 /// Members that a claim has or has not, and words, as docs/format.md says: each is malformed by itself.
 namespace epsnet::certify::geodesics_structure_test {

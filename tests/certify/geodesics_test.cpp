@@ -14,8 +14,8 @@
 #include "certify/claims/geodesics/sequences.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
-#include "certify/net/surface_sides.h"
 #include "tests/certify/far_words.h"
 
 /// Geodesics files. The lists are found here by brute force in binary64: words of the group in the order of their

@@ -3,7 +3,7 @@
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 #include "certify/net/triangulation_check.h"
 #include "certify/numbers/ball.h"
 #include "tests/certify/far_words.h"

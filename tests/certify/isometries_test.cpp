@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/claims/isometries/check.h"
 #include "certify/claims/isometries/conjugation.h"
-#include "certify/claims/isometries/orbit.h"
+#include "certify/claims/isometries/fields.h"
 #include "certify/file/reader.h"
 #include "tests/certify/claim_files.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 #include "certify/claims/geodesics/sequences.h"
 
 namespace epsnet::certify::least_sequence_test {

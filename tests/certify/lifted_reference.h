@@ -11,7 +11,7 @@
 #include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "tests/certify/reference.h"
 
 /// What tests compare certify/geodesics with: a net in long double, its lifted triangles without any pruning.

@@ -11,8 +11,8 @@
 #include "certify/file/reader.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
-#include "certify/net/darts.h"
 #include "certify/net/lifted_triangle.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 
 /// What is not there cannot be looked up: each lookup answers what is there, and anything else is a fault of this

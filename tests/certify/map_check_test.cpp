@@ -2,7 +2,7 @@
 #include <string>
 
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/net/triangulation_check.h"
 
 /// Rule `map` alone: each defect is named, where it is first in the file.

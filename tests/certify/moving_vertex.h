@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "tests/certify/reference.h"
 
 /// What tests compare the checks of bounds with: triangulations with one vertex, in long double.

@@ -12,12 +12,12 @@
 #include <variant>
 #include <vector>
 
-#include "certify/net/darts.h"
 #include "certify/net/document.h"
 #include "certify/net/labels.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
-#include "certify/numbers/ball_vector.h"
 #include "certify/numbers/exact.h"
+#include "certify/numbers/isometry.h"
 
 /// What tests compare the checks of nets, geodesics and bounds with: the hyperbolic plane and a net in long double.
 namespace epsnet::certify {

@@ -6,9 +6,9 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/labels.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
 #include "certify/net/surface_check.h"
-#include "certify/net/surface_sides.h"
 
 /// Surfaces of the kind "map": regular tiles, glued in any way that q of them meet at every vertex.
 namespace epsnet::certify::regular_map_test {

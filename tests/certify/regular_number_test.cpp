@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/net/labels.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify::regular_number_test {
 namespace {

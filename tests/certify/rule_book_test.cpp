@@ -10,7 +10,7 @@
 #include <sstream>
 #include <variant>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 #include "certify/check.h"
 #include "certify/claims.h"
 #include "certify/claims/net/claim.h"

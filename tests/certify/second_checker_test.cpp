@@ -23,7 +23,7 @@
 #include "certify/exact/json.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 
 /// The second checker: the files of tests/data/certify, and its numbers beside those of the first checker.
 /// Mutants of nets are in tests/netgen/mutation_test.cpp.

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/net/darts.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
 /// What docs/format.md says of the members of nets and surfaces together, clause by clause: the last value that is
 /// allowed, and the first that is not.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "certify/file/reader.h"
-#include "certify/net/surface_sides.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify::surface_check_test {
 namespace {

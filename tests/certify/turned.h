@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/net/darts.h"
 #include "certify/net/labels.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 
 namespace epsnet::certify {

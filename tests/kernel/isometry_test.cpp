@@ -1,5 +1,3 @@
-#include "kernel/isometry.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -9,6 +9,7 @@
 #include "kernel/numbers.h"
 #include "tests/kernel/random_points.h"
 #include "tests/kernel/rational_points.h"
+#include "tests/support/in_circle.h"
 #include "tests/support/scale.h"
 
 namespace epsnet::plane_test {
@@ -142,7 +143,7 @@ TEST(Circumcentre, OfPointsOnADiameterOrAHypercycleIsNone) {
 RC_GTEST_PROP(CrossRatioProperty, ImaginaryPartHasTheSignOfTheInCircleTest, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
   RC_PRE(!(a == d) && !(b == c));
-  const Rational determinant = in_circle_determinant(a, b, c, d);
+  const Rational determinant = test::in_circle_determinant(a, b, c, d);
   // More than the sign: Im R times the square of the denominator's modulus is the determinant.
   RC_ASSERT(cross_ratio(a, b, c, d).y * norm((d - a) * (c - b)) == determinant);
 }
@@ -156,7 +157,7 @@ RC_GTEST_PROP(CrossRatioProperty, IsRealForCocircularPoints, ()) {
   const auto c = f(rational_rotation()(p)), d = f(rational_rotation()(p));
   RC_PRE(!(a == d) && !(b == c));
   RC_ASSERT(cross_ratio(a, b, c, d).y == 0);
-  RC_ASSERT(in_circle_determinant(a, b, c, d) == 0);
+  RC_ASSERT(test::in_circle_determinant(a, b, c, d) == 0);
 }
 RC_GTEST_PROP(CrossRatioProperty, IsInvariantUnderIsometries, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
@@ -168,9 +169,9 @@ RC_GTEST_PROP(CrossRatioProperty, IsInvariantUnderIsometries, ()) {
 TEST(InCircle, CentreOfACounterclockwiseCircleIsInside) {
   const Complex<Rational> east{Rational(1, 2), Rational(0)};
   const Complex<Rational> north{Rational(0), Rational(1, 2)};
-  EXPECT_GT(in_circle_determinant(east, north, -east, {}), 0);
+  EXPECT_GT(test::in_circle_determinant(east, north, -east, {}), 0);
   EXPECT_GT(orientation_determinant(east, north, -east), 0);
-  EXPECT_EQ(in_circle_determinant(east, north, -east, -north), 0);
+  EXPECT_EQ(test::in_circle_determinant(east, north, -east, -north), 0);
 }
 
 RC_GTEST_PROP(OrientationProperty, IsTheSideSeenFromTheFirstPoint, ()) {

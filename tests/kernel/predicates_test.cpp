@@ -13,6 +13,7 @@
 #include "tests/kernel/exact.h"
 #include "tests/kernel/random_points.h"
 #include "tests/kernel/rational_points.h"
+#include "tests/support/in_circle.h"
 #include "tests/support/scale.h"
 
 namespace epsnet::predicates_test {
@@ -142,7 +143,7 @@ Tally tally(int count, const Make& make, const Stage& stage, const Exact& exact)
 // The predicates: a stage over `T` (the case's own field or Careless), and the exact sign.
 
 constexpr auto exact_in_circle = [](const auto& c) {
-  return sign(in_circle_determinant(c.true_points[0], c.true_points[1], c.true_points[2], c.true_points[3]));
+  return sign(test::in_circle_determinant(c.true_points[0], c.true_points[1], c.true_points[2], c.true_points[3]));
 };
 template <class T>
 constexpr auto in_circle = [](const auto& c) {
@@ -576,27 +577,27 @@ using test::rational_point;
 
 RC_GTEST_PROP(InCircleProperty, KeepsItsSignUnderCyclicRotation, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
-  RC_ASSERT(in_circle_determinant(a, b, c, d) == in_circle_determinant(b, c, a, d));
+  RC_ASSERT(test::in_circle_determinant(a, b, c, d) == test::in_circle_determinant(b, c, a, d));
 }
 RC_GTEST_PROP(InCircleProperty, IsOddUnderExchangeOfAnyTwo, ()) {
   std::array p{rational_point(), rational_point(), rational_point(), rational_point()};
-  const Rational before = in_circle_determinant(p[0], p[1], p[2], p[3]);
+  const Rational before = test::in_circle_determinant(p[0], p[1], p[2], p[3]);
   const std::size_t i = *rc::gen::inRange<std::size_t>(0, 3);
   const std::size_t j = *rc::gen::inRange<std::size_t>(i + 1, 4);
   std::swap(p[i], p[j]);
-  RC_ASSERT(in_circle_determinant(p[0], p[1], p[2], p[3]) == -before);
+  RC_ASSERT(test::in_circle_determinant(p[0], p[1], p[2], p[3]) == -before);
 }
 RC_GTEST_PROP(InCircleProperty, IsZeroForCoincidentPoints, ()) {
   std::array p{rational_point(), rational_point(), rational_point(), rational_point()};
   const std::size_t i = *rc::gen::inRange<std::size_t>(0, 3);
   const std::size_t j = *rc::gen::inRange<std::size_t>(i + 1, 4);
   p[i] = p[j];
-  RC_ASSERT(in_circle_determinant(p[0], p[1], p[2], p[3]) == 0);
+  RC_ASSERT(test::in_circle_determinant(p[0], p[1], p[2], p[3]) == 0);
 }
 RC_GTEST_PROP(InCircleProperty, SignIsInvariantUnderIsometries, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
   const Isometry<Rational> f = rational_isometry();
-  RC_ASSERT(sign(in_circle_determinant(f(a), f(b), f(c), f(d))) == sign(in_circle_determinant(a, b, c, d)));
+  RC_ASSERT(sign(test::in_circle_determinant(f(a), f(b), f(c), f(d))) == sign(test::in_circle_determinant(a, b, c, d)));
 }
 RC_GTEST_PROP(InCircleProperty, StagesKeepTheSymmetry, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());

@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 
 /// Random points of the disk in binary64 and in multiprecision, near-degenerate on purpose.
 namespace epsnet::test {

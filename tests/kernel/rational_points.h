@@ -2,8 +2,8 @@
 
 #include <rapidcheck.h>
 
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 
 /// RapidCheck generators of exact points and isometries; they shrink towards 0 and the identity.
 namespace epsnet::test {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "kernel/plane.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/exchange/two_squares.h"
+#include "netgen/exchange/gaussian_integers.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 
@@ -58,12 +58,12 @@ TEST(AnchorSearch, FindsTheDiskOfAllSamples) {
 TEST(AnchorSearch, FindsTheDiskOfPolygons) {
   for (const auto& path : test::data_files("polygons")) {
     SCOPED_TRACE(path);
-    expect_found(triangulation_stream(import_surface_file(path)));
+    expect_found(triangulation_stream(test::imported(path)));
   }
 }
 
 TEST(AnchorSearch, FindsTheDiskOfNets) {
-  expect_found(triangulation_stream(compute_net(random_octagon(123), Length("0.2")).net));
+  expect_found(triangulation_stream(compute_net(random_octagon(123), Length("0.2")).document));
 }
 
 RC_GTEST_PROP(AnchorSearchProperty, FindsTheDiskOfOctagons, (std::int32_t seed)) {
@@ -106,7 +106,7 @@ TriangulationStream octagon_of_square_radius(const Rational& rho) {
                        {thousandths(0.6), thousandths(0.59)},
                        {0, thousandths(0.84)},
                        {thousandths(-0.6), thousandths(0.6)}};
-  // As closed_up in octagon.h, with products of points divided by ρ.
+  // As closed_up in surfaces.h, with products of points divided by ρ.
   const Point w = (z[3] + z[0]) / (one + inverse * conj(z[0]) * z[3]);
   const Point first = (one - inverse * z[0] * conj(z[1])) * (one - inverse * z[1] * conj(z[2]));
   const Rational lambda = rho * (first * (one + inverse * conj(z[0]) * z[2])).y / (first * (z[0] + z[2]) * conj(w)).y;

@@ -5,8 +5,7 @@
 #include <set>
 
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::cover_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet::dehn_twist_test {

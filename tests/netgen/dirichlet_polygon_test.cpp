@@ -10,8 +10,7 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::dirichlet_polygon_test {

@@ -17,9 +17,8 @@
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/net_pictures.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/pictures/pictures.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 
@@ -278,7 +277,7 @@ TEST(Distance, ErrorsSayWhichPointAndWhy) {
 
 TEST(Distance, AVertexOfANetIsAPointOfATile) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
-    const certify::NetDocument net = compute_net(named.surface, Length("0.7")).net;
+    const certify::NetDocument net = compute_net(named.surface, Length("0.7")).document;
     const Surface surface = from_document(net.surface);
     for (std::uint32_t v = 0; v < std::min<std::size_t>(net.vertices.size(), 20); ++v) {
       const BasePoint point = point_of_vertex(surface, net, v);
@@ -317,13 +316,13 @@ TEST(Distance, APictureShowsThePathsInFullLength) {
   const Surface& surface = test::gallery()[1].surface;
   const DistanceDocument document = unproved::distance(surface, {TileId(0), {Rational(1, 10), Rational(-1, 3)}},
                                                        {TileId(0), {Rational(-2, 5), Rational(1, 5)}});
-  for (const certify::NetDocument& net : {document.net, compute_net(surface, Length("0.5")).net}) {
+  for (const certify::NetDocument& net : {document.net, compute_net(surface, Length("0.5")).document}) {
     const Layer layer = distance_layer(net, document);
     double length = 0;
     for (const Arc& arc : layer.arcs) length += distance(arc.from, arc.to);
     EXPECT_NEAR(length, document.distance.lower * static_cast<double>(document.paths.size()), 1e-9);
   }
-  const certify::NetDocument other = compute_net(test::gallery()[0].surface, Length("0.5")).net;
+  const certify::NetDocument other = compute_net(test::gallery()[0].surface, Length("0.5")).document;
   EXPECT_THROW((void)distance_layer(other, document), NetGeometryError);
 }
 
@@ -334,7 +333,8 @@ TEST(Distance, OfAVertexToANearestOneIsTheLengthOfAnEdge) {
   ASSERT_TRUE(net.certificate.enclosures->shortest_edge.has_value());
   double least = 100;
   std::vector<BasePoint> places;
-  for (std::uint32_t v = 0; v < net.net.vertices.size(); ++v) places.push_back(point_of_vertex(surface, net.net, v));
+  for (std::uint32_t v = 0; v < net.document.vertices.size(); ++v)
+    places.push_back(point_of_vertex(surface, net.document, v));
   for (const BasePoint& p : places) {
     for (const BasePoint& q : places) {
       if (&p < &q) least = std::min(least, distance_of(surface, p, q).lower);

@@ -1,5 +1,3 @@
-#include "netgen/exchange/domain_format.h"
-
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +10,8 @@
 #include "certify/file/reader.h"
 #include "netgen/exchange/ear_clipping.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/exchange/token_reader.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet::domain_format_test {
@@ -49,7 +47,7 @@ TEST(DomainFormat, AllPolygonsAreAccepted) {
   ASSERT_EQ(files.size(), 21U);
   for (const auto& path : files) {
     const std::string name = path.stem().string();  // polygon-gN-…
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     EXPECT_EQ(surface.genus(), std::stoul(name.substr(name.find("-g") + 2))) << path;
     EXPECT_EQ(surface.tiles().size(), 1U) << path;
     EXPECT_EQ(read_domain(write_domain(surface), "copy").tiles(), surface.tiles()) << path;
@@ -172,7 +170,7 @@ TEST(DomainFormat, StraightAnglesBecomeVerticesOfTheSurface) {
 
 TEST(DomainFormat, StraightAnglesOfManySidesBecomeVerticesOfTheSurface) {
   PairedPolygon polygon =
-      test::paired_polygon(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g50-small.txt"));
+      test::paired_polygon(test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g50-small.txt"));
   for (std::uint32_t added = 0; added < 30; ++added)
     polygon = test::with_vertex_on_side(polygon, 7 * added, Rational(1, 2));
   ASSERT_EQ(polygon.partner.size(), 260U);
@@ -182,10 +180,7 @@ TEST(DomainFormat, StraightAnglesOfManySidesBecomeVerticesOfTheSurface) {
   EXPECT_EQ(surface.tiles().size(), 258U);
 }
 
-TEST(DomainFormat, AFileThatCannotBeReadIsAFileError) {
-  EXPECT_THROW(static_cast<void>(import_surface_file("/nonexistent/domain.txt")), certify::FileError);
-  EXPECT_THROW(static_cast<void>(import_surface_file(EPSNET_TEST_DATA)), certify::FileError);
-  EXPECT_THROW(static_cast<void>(import_surface_file("/dev/null", ExchangeFormat::domain)), certify::FileError);
+TEST(DomainFormat, AnEmptyTextIsAnError) {
   EXPECT_THROW(static_cast<void>(import_surface("", "empty", ExchangeFormat::domain)), ExchangeError);
 }
 
@@ -221,8 +216,7 @@ TEST(EarClipping, NoTriangleIsDegenerateAndContactsAreCrossings) {
 
 RC_GTEST_PROP(DomainFormatProperty, NonConvexPolygonIsTheSameSurface, ()) {
   const auto files = test::data_files("polygons");
-  PairedPolygon polygon =
-      test::paired_polygon(import_surface_file(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
+  PairedPolygon polygon = test::paired_polygon(test::imported(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
   const Surface before = polygon.surface();
   const auto k = *rc::gen::inRange<std::uint32_t>(0, before.side_count());
   RC_PRE(before.partner(SideId(k)) != before.next_side(SideId(k)));

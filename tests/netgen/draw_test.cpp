@@ -14,21 +14,21 @@
 #include <vector>
 
 #include "certify/file/reader.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/info.h"
-#include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/nets/refine.h"
 #include "netgen/pictures/curves.h"
 #include "netgen/pictures/dirichlet.h"
-#include "netgen/pictures/net_pictures.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::draw_test {
@@ -45,11 +45,11 @@ certify::NetDocument verified(const char* name) {
 }
 
 certify::NetDocument octagon_net(std::int32_t seed, const char* epsilon) {
-  return compute_net(random_octagon(seed), Length(epsilon)).net;
+  return compute_net(random_octagon(seed), Length(epsilon)).document;
 }
 
 certify::NetDocument polygon_net(const char* name, const char* epsilon) {
-  return compute_net(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).net;
+  return compute_net(test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).document;
 }
 
 // What keeps a reference cannot be made from a temporary.
@@ -232,8 +232,8 @@ void expect_dirichlet_domain(const certify::NetDocument& net, std::uint32_t vert
 TEST(DirichletDomain, IsNearestToItsVertexForAnyVertex) {
   for (const certify::NetDocument& net :
        {octagon_net(123, "0.5"), polygon_net("polygon-g3-rnd0.txt", "0.8"),
-        compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Length("0.8")).net,
-        compute_net(Surface::regular(2), Length("0.8")).net}) {
+        compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Length("0.8")).document,
+        compute_net(Surface::regular(2), Length("0.8")).document}) {
     // The corners of tiles come first; the last vertices may lie in any tile.
     const auto count = static_cast<std::uint32_t>(net.vertices.size());
     for (const std::uint32_t vertex : {0U, 1U, 2U, 3U, count / 2, count - 1}) expect_dirichlet_domain(net, vertex);
@@ -262,7 +262,7 @@ TEST(DirichletDomain, OfASurfaceThatIsNoneIsRefused) {
 
 TEST(DirichletDomain, OfAHighGenusIsRefused) {
   const certify::NetDocument net =
-      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(101), 1)), Length("2")).net;
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(101), 1)), Length("2")).document;
   EXPECT_THAT([&] { return dirichlet_domain(NetGeometry(net), 0); },
               ThrowsMessage<NetGeometryError>(HasSubstr("up to genus 100")));
 }
@@ -475,7 +475,7 @@ struct EverythingShown {
     FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), 1);
     test::set_cuff_length(coordinates, 0, Rational(1, 10));
     const Surface surface = fenchel_nielsen_surface(coordinates);
-    net = compute_net(surface, Length("0.3"), {.pseudo = true}).net;
+    net = compute_net(surface, Length("0.3"), {.pseudo = true}).document;
     const NetGeometry geometry(net);
     options.dirichlet = options.combinatorial_dirichlet = true;
     options.covering_disks = options.packing_disks = true;
@@ -538,7 +538,7 @@ TEST(Draw, ALegendCountsGeodesicsAndSaysHowLongTheyAre) {
 
 TEST(Draw, ALegendHasTheColoursOfCharts) {
   const certify::NetDocument net =
-      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Length("0.3")).net;
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Length("0.3")).document;
   const std::string picture = draw_svg(net, {.colouring = Colouring::chart, .legend = true});
   const std::string legend = legend_of(picture);
   std::set<std::string> charts;
@@ -559,7 +559,7 @@ TEST(Draw, ALegendHasTheColoursOfCharts) {
 
 TEST(Draw, ALegendOfManyChartsStaysShort) {
   const certify::NetDocument net =
-      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(12), 1)), Length("0.6")).net;
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(12), 1)), Length("0.6")).document;
   std::set<std::uint32_t> charts;
   for (const certify::NetDocument::Triangle& triangle : net.triangles)
     charts.insert(net.vertices[triangle.vertex[0]].chart);
@@ -607,7 +607,7 @@ TEST(Draw, CentresTheVertexAskedFor) {
 certify::NetDocument thin_net(const Rational& cuff, std::uint64_t seed) {
   FenchelNielsen coordinates = random_coordinates(seed % 2 == 0 ? PantsGraph::chain(2) : PantsGraph::ring(2), seed);
   test::set_cuff_length(coordinates, seed % 3, cuff);
-  return compute_net(fenchel_nielsen_surface(coordinates), Length("0.34"), {.pseudo = true}).net;
+  return compute_net(fenchel_nielsen_surface(coordinates), Length("0.34"), {.pseudo = true}).document;
 }
 
 TEST(Draw, DrawsEveryLayerOfPseudoNetsHoweverThin) {

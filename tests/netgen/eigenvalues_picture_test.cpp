@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/eigenvalues/eigenfunction_values.h"
+#include "netgen/eigenvalues/eigenfunctions.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/pictures.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// What is seen of an eigenvalues file: counts, pictures, eigenfunctions. The files are made here, so their claims mean
 /// nothing.
@@ -26,7 +26,7 @@ using ::testing::ThrowsMessage;
 using Point = std::complex<double>;
 
 const certify::NetDocument& net() {
-  static const certify::NetDocument result = compute_net(random_octagon(123), Length("0.5")).net;
+  static const certify::NetDocument result = compute_net(random_octagon(123), Length("0.5")).document;
   return result;
 }
 

@@ -16,17 +16,14 @@
 
 #include "certify/check.h"
 #include "certify/claims/eigenvalues/forms.h"
-#include "certify/claims/eigenvalues/halved_net.h"
 #include "certify/net/labels.h"
 #include "certify/net/surface_check.h"
-#include "certify/numbers/precision.h"
-#include "netgen/eigenvalues/discrete.h"
+#include "certify/numbers/ball.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// The generator's side of eigenvalues. `certify` shares no code with it but the factorization, so agreement with it is
 /// a test of both.
@@ -80,7 +77,9 @@ const Known& klein() {
 /// So many digits of these are known.
 constexpr double kUnknown = 2e-10;
 
-NetDocument net_of(const Surface& surface, const char* epsilon) { return compute_net(surface, Length(epsilon)).net; }
+NetDocument net_of(const Surface& surface, const char* epsilon) {
+  return compute_net(surface, Length(epsilon)).document;
+}
 
 double area(const Surface& surface) { return 4 * std::numbers::pi * (surface.genus() - 1.0); }
 

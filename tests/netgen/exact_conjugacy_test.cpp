@@ -12,9 +12,7 @@
 #include "certify/net/surface_check.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// Questions about elements, which the checker answers by other code.
 namespace epsnet::exact_conjugacy_test {

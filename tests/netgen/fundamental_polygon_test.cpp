@@ -4,7 +4,7 @@
 
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::fundamental_polygon_test {
 namespace {

@@ -19,7 +19,7 @@
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/netgen/unfolding.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"

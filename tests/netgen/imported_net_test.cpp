@@ -11,10 +11,10 @@
 #include "certify/check.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/exchange/triangulation_stream.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 
@@ -66,12 +66,12 @@ Surface flipped(const Surface& surface, std::uint32_t side) {
 TEST(ImportedNet, AnExportedNetIsTheSameNet) {
   for (const Surface& surface : {random_octagon(123), pants("7")}) {
     const CertifiedNet original = certified_net(surface, Length("0.3"));
-    const TriangulationStream stream = triangulation_stream(original.net);
+    const TriangulationStream stream = triangulation_stream(original.document);
     const certify::NetDocument net = net_of_tiles(develop(stream, "stream"), Length("0.3"));
     const certify::Certificate certificate = certify::check(net);
     EXPECT_EQ(certificate.verdict, certify::Verdict::verified) << certificate.rule << ": " << certificate.message;
-    EXPECT_EQ(certificate.counts.vertices, original.net.vertices.size());
-    EXPECT_EQ(certificate.counts.triangles, original.net.triangles.size());
+    EXPECT_EQ(certificate.counts.vertices, original.document.vertices.size());
+    EXPECT_EQ(certificate.counts.triangles, original.document.triangles.size());
     // The same points: the enclosures of the two meet in the last digits.
     EXPECT_LT(certificate.enclosures->largest_circumradius.lower,
               original.certificate.enclosures->largest_circumradius.upper);
@@ -87,7 +87,7 @@ TEST(ImportedNet, AnExportedNetIsTheSameNet) {
 
 TEST(ImportedNet, VerticesAreTheGivenOnesExactly) {
   for (const auto& path : test::data_files("triangulations")) {
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     const certify::NetDocument net = net_of_tiles(surface, Length("1"));
     ASSERT_EQ(net.vertices.size(), surface.vertex_class_count());
     for (const certify::NetDocument::Vertex& vertex : net.vertices) {
@@ -101,7 +101,7 @@ TEST(ImportedNet, VerticesAreTheGivenOnesExactly) {
 }
 
 TEST(ImportedNet, WrongEpsilonIsRefutedWithTheCulprit) {
-  const TriangulationStream stream = triangulation_stream(certified_net(random_octagon(123), Length("0.3")).net);
+  const TriangulationStream stream = triangulation_stream(certified_net(random_octagon(123), Length("0.3")).document);
   const certify::Certificate smaller = verdict_on(stream, "0.29");
   EXPECT_EQ(smaller.verdict, certify::Verdict::refuted);
   EXPECT_EQ(smaller.rule, "covering");
@@ -113,7 +113,7 @@ TEST(ImportedNet, WrongEpsilonIsRefutedWithTheCulprit) {
 }
 
 TEST(ImportedNet, AFlippedEdgeIsRefutedAndNamed) {
-  const Surface surface = develop(triangulation_stream(certified_net(pants("7"), Length("0.5")).net), "net");
+  const Surface surface = develop(triangulation_stream(certified_net(pants("7"), Length("0.5")).document), "net");
   std::size_t flips = 0;
   for (std::uint32_t side = 0; side < surface.side_count() && flips < 10; ++side) {
     std::optional<Surface> bad;
@@ -153,7 +153,7 @@ RC_GTEST_PROP(ImportedNetProperty, WhateverIsImportedIsMadeOfTheGivenTriangles, 
   const auto seed = *rc::gen::inRange<std::int32_t>(-1000, 1000);
   const std::string epsilon = *rc::gen::element<std::string>("0.4", "0.6", "1");
   const UncertifiedNet made = compute_net(random_octagon(seed), Length(epsilon));
-  const TriangulationStream stream = triangulation_stream(made.net);
+  const TriangulationStream stream = triangulation_stream(made.document);
   const certify::NetDocument net = net_of_tiles(develop(stream, "stream"), Length(epsilon));
   RC_ASSERT(certify::check(net, {.threads = 1}).verdict == certify::Verdict::verified);
   RC_ASSERT(triangulation_stream(net).edges == stream.edges);

@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "kernel/isometry.h"
-#include "netgen/isometries/length_spectra.h"
+#include "kernel/plane.h"
+#include "netgen/isometries/invariants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::isometries_test {
 namespace {

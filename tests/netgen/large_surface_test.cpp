@@ -4,7 +4,7 @@
 
 #include "certify/file/writer.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::large_surface_test {
 namespace {

@@ -10,12 +10,10 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// Approximate eigenfunctions as functions around the vertices of a net.
 namespace epsnet::local_functions_test {
@@ -28,7 +26,7 @@ using Rows = std::vector<EigenvaluesDocument::Eigenfunctions>;
 class Start {
  public:
   Start(const Surface& surface, const char* epsilon, std::uint32_t count)
-      : net_(compute_net(surface, Length(epsilon)).net), geometry_(net_) {
+      : net_(compute_net(surface, Length(epsilon)).document), geometry_(net_) {
     const ElementMatrices matrices = Elements(geometry_, 2).upper();
     const DiscreteSpectrum spectrum = first_eigenvalues(matrices, elimination_order(matrices.energy), count + 1);
     values_.assign(spectrum.values.begin() + 1, spectrum.values.end());

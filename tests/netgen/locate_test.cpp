@@ -12,7 +12,7 @@
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 
@@ -24,7 +24,7 @@ using Place = PointLocation::Place;
 
 TEST(Locate, FindsVerticesMidpointsAndCentroids) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
-    const NetDocument net = compute_net(named.surface, Length("0.9")).net;
+    const NetDocument net = compute_net(named.surface, Length("0.9")).document;
     Locator locator(net);
     for (std::uint32_t t = 0; t < net.triangles.size(); t += 31) {
       const PointLocation inside = locator.locate(point_of_triangle(named.surface, net, t, {1, 1, 1}));
@@ -49,7 +49,7 @@ TEST(Locate, FindsVerticesMidpointsAndCentroids) {
 /// The weights of a point, used again, give the point; a covering has a corner within ε.
 TEST(Locate, GivesWeightsAndANearCorner) {
   const Surface surface = random_octagon(123);
-  const NetDocument net = compute_net(surface, Length("0.4")).net;
+  const NetDocument net = compute_net(surface, Length("0.4")).document;
   Locator locator(net);
   for (int x = -5; x <= 5; ++x) {
     for (int y = -5; y <= 5; ++y) {
@@ -71,7 +71,7 @@ TEST(Locate, GivesWeightsAndANearCorner) {
 
 TEST(Locate, APointBeyondASideOfItsTileIsThatOfTheNeighbour) {
   const Surface surface = random_octagon(123);
-  Locator locator(compute_net(surface, Length("0.8")).net);
+  Locator locator(compute_net(surface, Length("0.8")).document);
   const BasePoint outside{TileId(0), {Rational(9, 10), Rational(3, 10)}};
   const BasePoint point = in_its_tile(surface, outside);
   EXPECT_THROW(require_inside(surface, outside), SurfaceError);
@@ -81,14 +81,14 @@ TEST(Locate, APointBeyondASideOfItsTileIsThatOfTheNeighbour) {
 }
 
 TEST(Locate, WhatIsNoPointOfTheSurfaceIsAnError) {
-  Locator locator(compute_net(random_octagon(123), Length("0.8")).net);
+  Locator locator(compute_net(random_octagon(123), Length("0.8")).document);
   EXPECT_THROW((void)locator.locate({TileId(0), {1, 0}}), SurfaceError);
   EXPECT_THROW((void)locator.locate({TileId(1), {0, 0}}), SurfaceError);
 }
 
 TEST(Locate, PointsOfTrianglesThatThereAreNot) {
   const Surface surface = random_octagon(123);
-  const NetDocument net = compute_net(surface, Length("0.8")).net;
+  const NetDocument net = compute_net(surface, Length("0.8")).document;
   const auto count = static_cast<std::uint32_t>(net.triangles.size());
   EXPECT_THROW((void)point_of_triangle(surface, net, count, {1, 1, 1}), NetError);
   EXPECT_THROW((void)point_of_triangle(surface, net, 0, {0, 0, 0}), NetError);
@@ -115,7 +115,7 @@ TEST(GivenPoints, AreVertices) {
     const auto net = made();
     if (!net) continue;
     for (std::uint32_t v = 0; v < points.size(); ++v) {
-      const BasePoint vertex = point_of_vertex(named.surface, net->net, v);
+      const BasePoint vertex = point_of_vertex(named.surface, net->document, v);
       EXPECT_EQ(vertex.tile, points[v].tile) << named.name;
       EXPECT_EQ(vertex.z, points[v].z) << named.name;
     }

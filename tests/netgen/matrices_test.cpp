@@ -7,8 +7,7 @@
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/netgen/matrix_texts.h"
 
 namespace epsnet::matrices_test {
@@ -204,7 +203,7 @@ TEST(Matrices, OfManyDecimalsHaveListsThatAreVerified) {
   for (const auto& cluster : list.document.clusters) EXPECT_FALSE(cluster.count > 1 && cluster.equal);
 }
 
-/// With the tiles they would be exact: field_matrices_test.cpp.
+/// With the tiles they would be exact: field_numbers_test.cpp.
 TEST(Matrices, OfRegularTilesMeanANearSurfaceIfTheyAreRounded) {
   std::string text = write_matrices(named_surface("bolza"));
   for (const char* name : {"\"tiles\"", "\"generators\""}) text.replace(text.find(name) + 1, 1, "-");

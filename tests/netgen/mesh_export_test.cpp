@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
@@ -17,7 +17,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::mesh_export_test {
 namespace {
@@ -31,7 +31,7 @@ std::string text(Writer write, const certify::NetDocument& net) {
   return out.str();
 }
 
-certify::NetDocument net_of(const char* epsilon) { return compute_net(random_octagon(123), Length(epsilon)).net; }
+certify::NetDocument net_of(const char* epsilon) { return compute_net(random_octagon(123), Length(epsilon)).document; }
 
 struct Off {
   std::vector<Point> points;
@@ -101,7 +101,7 @@ TEST(MeshExport, OffHasTheEdgesOfTheTable) {
 TEST(MeshExport, EdgesAgreeWithTheCertificate) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), 3);
   coordinates.lengths.front() = 1e-6;
-  const certify::NetDocument net = compute_net(fenchel_nielsen_surface(coordinates), Length("0.4")).net;
+  const certify::NetDocument net = compute_net(fenchel_nielsen_surface(coordinates), Length("0.4")).document;
   const certify::Certificate certificate = certify::check(net);
   ASSERT_EQ(certificate.verdict, certify::Verdict::verified);
   double shortest_edge = 1e9;
@@ -120,7 +120,7 @@ TEST(MeshExport, EdgesAgreeWithTheCertificate) {
 }
 
 TEST(MeshExport, VtuWithNumbersOfVerticesHasTheirArray) {
-  const certify::NetDocument net = compute_net(random_octagon(1), Length("0.9")).net;
+  const certify::NetDocument net = compute_net(random_octagon(1), Length("0.9")).document;
   std::ostringstream out;
   write_vtu_with({"distance", std::vector<double>(net.vertices.size(), 0.375)}, net, out);
   EXPECT_THAT(out.str(), ::testing::HasSubstr("Name=\"distance\" format=\"ascii\">\n0.375\n0.375\n"));
@@ -227,7 +227,7 @@ Medit read_medit(const std::string& text) {
 /// The sides bound the polygon, in this order; one isometry takes a side to its partner, with the same vertices.
 TEST(MeshExport, MeditIsAPolygonWithGluedSides) {
   const Surface klein = fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1));
-  for (const certify::NetDocument& net : {net_of("0.3"), net_of("2"), compute_net(klein, Length("0.4")).net}) {
+  for (const certify::NetDocument& net : {net_of("0.3"), net_of("2"), compute_net(klein, Length("0.4")).document}) {
     const Medit mesh = read_medit(text(write_medit, net));
     ASSERT_EQ(mesh.triangles.size(), net.triangles.size());
     ASSERT_FALSE(mesh.edges.empty());
@@ -350,7 +350,7 @@ TEST(Curves, TilesAreCutWithoutLoss) {
   for (std::size_t k = 0; k < tile.size(); ++k)
     perimeter += distance(convert<double>(tile[k]), convert<double>(tile[(k + 1) % tile.size()]));
   for (const char* epsilon : {"0.1", "0.5"}) {
-    const certify::NetDocument net = compute_net(surface, Length(epsilon)).net;
+    const certify::NetDocument net = compute_net(surface, Length(epsilon)).document;
     const Layer layer = tile_layer(NetGeometry(net));
     EXPECT_NEAR(total_length(layer), perimeter / 2, 1e-9);
     EXPECT_GT(layer.arcs.size(), perimeter / 2 / (2 * std::stod(epsilon)));
@@ -419,7 +419,7 @@ TEST(Curves, AClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
   }
   geodesics.geodesics = {{.vertex = 0, .word = {}}};
   EXPECT_THROW((void)geodesics_layers(geometry, geodesics), NetGeometryError);
-  geodesics.net = compute_net(random_octagon(1), Length("0.7")).net;
+  geodesics.net = compute_net(random_octagon(1), Length("0.7")).document;
   EXPECT_THROW((void)geodesics_layers(geometry, geodesics), NetGeometryError);
 }
 

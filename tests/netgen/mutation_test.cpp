@@ -8,10 +8,10 @@
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/assurance/file_mutants/mutations.h"
 #include "tests/netgen/oracle.h"
 #include "tests/support/scale.h"
@@ -96,17 +96,17 @@ std::vector<Base> bases() {
   for (const auto& [seed, epsilon] :
        std::vector<std::pair<std::int32_t, const char*>>{{123, "1.5"}, {321, "0.8"}, {2, "0.5"}, {7, "3"}}) {
     result.push_back({"octagon " + std::to_string(seed) + ", epsilon " + epsilon,
-                      certified_net(random_octagon(seed), Length(epsilon)).net});
+                      certified_net(random_octagon(seed), Length(epsilon)).document});
   }
   // A short curve: charts and words that lead far into its collar.
-  const Surface thin = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g2-thin-1e-4.txt");
-  result.push_back({"thin, epsilon 1.5", certified_net(thin, Length("1.5")).net});
+  const Surface thin = import_surface(certify::load(EPSNET_TEST_DATA "/polygons/polygon-g2-thin-1e-4.txt"), "thin");
+  result.push_back({"thin, epsilon 1.5", certified_net(thin, Length("1.5")).document});
   // The octagon 123 as two triangles and a hexagon.
   const Surface octagon = random_octagon(123);
   const Tile& v = octagon.tiles()[0];
   const Surface tiles({{v[0], v[1], v[2]}, {v[4], v[5], v[6]}, {v[0], v[2], v[3], v[4], v[6], v[7]}},
                       {{0, 0, 1, 0}, {0, 1, 1, 1}, {2, 1, 2, 4}, {2, 2, 2, 5}, {0, 2, 2, 0}, {1, 2, 2, 3}});
-  result.push_back({"three tiles, epsilon 0.9", certified_net(tiles, Length("0.9")).net});
+  result.push_back({"three tiles, epsilon 0.9", certified_net(tiles, Length("0.9")).document});
   return result;
 }
 

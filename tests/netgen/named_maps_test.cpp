@@ -6,8 +6,7 @@
 #include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/surface/points.h"
 
 namespace epsnet::named_maps_test {
@@ -125,7 +124,7 @@ TEST(NamedSurfaces, OfGenus100HaveVerifiedNets) {
   for (const char* name : {"wiman-100", "accola-maclachlan-100"}) {
     const CertifiedNet net = certified_net(named_surface(name), Length("20"));
     EXPECT_EQ(net.certificate.verdict, certify::Verdict::verified) << name;
-    EXPECT_EQ(net.net.vertices.size(), 1U) << name;
+    EXPECT_EQ(net.document.vertices.size(), 1U) << name;
   }
 }
 

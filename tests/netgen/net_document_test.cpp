@@ -11,7 +11,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"
@@ -33,7 +33,7 @@ std::vector<Surface> surfaces() {
 
 TEST(TriangulationOfANet, GivesTheSameDocument) {
   for (const Surface& surface : surfaces()) {
-    const NetDocument net = compute_net(surface, Length("0.6")).net;
+    const NetDocument net = compute_net(surface, Length("0.6")).document;
     EXPECT_EQ(there_and_back(net), net);
   }
 }
@@ -67,7 +67,7 @@ TEST(TriangulationOfANet, FlipsNothing) {
 TEST(TriangulationOfANet, OfAPseudoNetLeavesOutTheCollars) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::random(2, 1), 1);
   test::set_cuff_length(coordinates, 0, Rational(1, 10));
-  NetDocument net = compute_net(fenchel_nielsen_surface(coordinates), Length("0.25"), {.pseudo = true}).net;
+  NetDocument net = compute_net(fenchel_nielsen_surface(coordinates), Length("0.25"), {.pseudo = true}).document;
   ASSERT_EQ(net.collars.value().size(), 1U);
   const NetDocument back = there_and_back(net);
   EXPECT_FALSE(back.collars.has_value());
@@ -81,7 +81,7 @@ struct Fault {
 };
 
 TEST(TriangulationOfANet, SaysWhatIsWrongWithADocument) {
-  const NetDocument good = compute_net(random_octagon(123), Length("0.6")).net;
+  const NetDocument good = compute_net(random_octagon(123), Length("0.6")).document;
   ASSERT_GE(good.labels.size(), 2U);
   const std::vector<Fault> faults{
       {"chart 0 is in tile 1, the surface has 1", [](NetDocument& n) { n.charts[0].tile = 1; }},
@@ -120,7 +120,7 @@ TEST(TriangulationOfANet, SaysWhatIsWrongWithADocument) {
 }
 
 TEST(TriangulationOfANet, LabelsMustFitAcrossEveryEdge) {
-  const NetDocument good = compute_net(random_octagon(123), Length("0.9")).net;
+  const NetDocument good = compute_net(random_octagon(123), Length("0.9")).document;
   ASSERT_FALSE(good.labels.empty());
   for (std::size_t t = 0; t < good.triangles.size(); ++t) {
     for (const std::size_t i : {0U, 1U}) {

@@ -14,11 +14,11 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/variants.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "tests/support/scale.h"
 #include "tests/support/triangulations.h"
@@ -75,11 +75,11 @@ double short_curve(const Surface& surface) {
 void expect_verified(const Surface& surface, const std::string& epsilon, const Variant& variant = {}) {
   try {
     const VariantNet net = compute_variant(surface, Length(epsilon), variant);
-    const certify::Certificate certificate = certify::check(net.net);
+    const certify::Certificate certificate = certify::check(net.document);
     EXPECT_EQ(certificate.verdict, Verdict::verified);
     EXPECT_EQ(certificate.counts.genus, surface.genus());
     const double lower = (surface.genus() - 1) / std::pow(std::sinh(std::stod(epsilon) / 2), 2);
-    EXPECT_GE(static_cast<double>(net.net.vertices.size()), lower) << "Theorem III.2";
+    EXPECT_GE(static_cast<double>(net.document.vertices.size()), lower) << "Theorem III.2";
   } catch (const NetError& error) {
     ADD_FAILURE() << "epsilon " << epsilon << ": " << error.what();
   }
@@ -89,8 +89,8 @@ TEST(Net, OfAnEpsilonBeyondTheDiameterIsOneVertex) {
   for (const std::int32_t seed : {1, 123, 321}) {
     for (const char* epsilon : {"8", "20", "300"}) {
       const CertifiedNet net = certified_net(random_octagon(seed), Length(epsilon));
-      EXPECT_EQ(net.net.vertices.size(), 1U);
-      EXPECT_EQ(net.net.triangles.size(), 6U);
+      EXPECT_EQ(net.document.vertices.size(), 1U);
+      EXPECT_EQ(net.document.triangles.size(), 6U);
       EXPECT_EQ(net.statistics.insertions, 0U);
       EXPECT_EQ(net.certificate.verdict, Verdict::verified);
     }
@@ -99,19 +99,19 @@ TEST(Net, OfAnEpsilonBeyondTheDiameterIsOneVertex) {
 
 TEST(Net, DoubleEpsilonIsItsShortestDecimal) {
   const CertifiedNet net = certified_net(random_octagon(123), 0.5);
-  EXPECT_EQ(net.net.epsilon, "0.5");
-  EXPECT_EQ(text_of(net.net), text_of(certified_net(random_octagon(123), Length("0.5")).net));
+  EXPECT_EQ(net.document.epsilon, "0.5");
+  EXPECT_EQ(text_of(net.document), text_of(certified_net(random_octagon(123), Length("0.5")).document));
 }
 
 TEST(Net, UncertifiedIsTheSameNet) {
   const Surface surface = random_octagon(5);
   const UncertifiedNet net = compute_net(surface, Length("0.4"));
-  EXPECT_EQ(text_of(net.net), text_of(certified_net(surface, Length("0.4")).net));
+  EXPECT_EQ(text_of(net.document), text_of(certified_net(surface, Length("0.4")).document));
 }
 
 TEST(Net, FileReadsBackTheSame) {
   const CertifiedNet net = certified_net(random_octagon(7), 0.3);
-  EXPECT_EQ(certify::parse_file<certify::NetDocument>(text_of(net.net), "net"), net.net);
+  EXPECT_EQ(certify::parse_file<certify::NetDocument>(text_of(net.document), "net"), net.document);
 }
 
 TEST(Variant, HasTheNamesOfTheThesis) {
@@ -134,12 +134,12 @@ TEST(Net, StatisticsAreConsistent) {
   EXPECT_GE(flips.walk_steps, flips.located - flips.located_at_start);
   EXPECT_LE(flips.longest_walk, flips.walk_steps);
   EXPECT_GE((flips.located - flips.located_at_start) * flips.longest_walk, flips.walk_steps);
-  EXPECT_EQ(flips.charts, by_flips.net.charts.size());
+  EXPECT_EQ(flips.charts, by_flips.document.charts.size());
   const VariantNet cavity = compute_variant(surface, Length("0.2"), {});
-  EXPECT_EQ(cavity.statistics.insertions + 1, cavity.net.vertices.size());
+  EXPECT_EQ(cavity.statistics.insertions + 1, cavity.document.vertices.size());
   EXPECT_EQ(cavity.statistics.located, 0U);
-  EXPECT_EQ(cavity.statistics.charts, cavity.net.charts.size());
-  EXPECT_EQ(cavity.statistics.labels, cavity.net.labels.size());
+  EXPECT_EQ(cavity.statistics.charts, cavity.document.charts.size());
+  EXPECT_EQ(cavity.statistics.labels, cavity.document.labels.size());
   EXPECT_LT(cavity.statistics.multiprecision, cavity.statistics.insertions) << "binary64 decides nearly all predicates";
 }
 
@@ -186,9 +186,9 @@ TEST(Net, BasePointIsTheStart) {
   }
   const NetOptions options{.base = BasePoint{TileId(3), base}};
   const CertifiedNet far = certified_net(surface, Length("9"), options);
-  EXPECT_EQ(far.net.vertices.size(), 1U);
+  EXPECT_EQ(far.document.vertices.size(), 1U);
   EXPECT_EQ(far.statistics.removed, surface.vertex_class_count());
-  for (const certify::NetDocument& net : {far.net, certified_net(surface, Length("0.5"), options).net}) {
+  for (const certify::NetDocument& net : {far.document, certified_net(surface, Length("0.5"), options).document}) {
     // Vertex 0 is the base point itself.
     const certify::NetDocument::Vertex& vertex = net.vertices[0];
     EXPECT_EQ(vertex.x, 0);
@@ -204,7 +204,7 @@ TEST(Net, RegularSurfacesAreVerified) {
   for (const std::uint32_t genus : {2u, 3u, 4u, 7u}) {
     const Surface surface = Surface::regular(genus);
     const CertifiedNet centre = certified_net(surface, Length("20"));
-    EXPECT_EQ(centre.net.vertices.size(), 1U);
+    EXPECT_EQ(centre.document.vertices.size(), 1U);
     EXPECT_EQ(centre.certificate.counts.exact_ties, 4 * genus - 3) << "all diagonals of the dual polygon";
     for (const char* epsilon : {"1.5", "0.5", "0.2"}) {
       expect_verified(surface, epsilon);
@@ -251,7 +251,7 @@ TEST(Net, LongCuffsWithManyTurnsAreVerified) {
 TEST(Net, EveryImportedTriangulationIsVerified) {
   for (const auto& path : test::data_files("triangulations")) {
     SCOPED_TRACE(path.filename().string());
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     expect_verified(surface, "0.5");
     expect_verified(surface, "3");
   }
@@ -260,7 +260,7 @@ TEST(Net, EveryImportedTriangulationIsVerified) {
 TEST(Net, EveryImportedPolygonIsVerified) {
   // The larger ones are in table_test.cpp.
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     if (surface.genus() <= 10) {
       SCOPED_TRACE(path.filename().string());
       expect_verified(surface, "0.5");
@@ -273,7 +273,7 @@ constexpr std::array kLists{TriangleList::all_back, TriangleList::all_front, Tri
 
 TEST(Net, ThinSurfacesAreVerifiedByEveryList) {
   for (const char* name : {"g2-thin-1e-4", "g2-thinsep-1e-4", "g3-thin-1e-4"}) {
-    const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    const Surface surface = test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const TriangleList list : kLists) {
       for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
         SCOPED_TRACE(name);
@@ -285,7 +285,7 @@ TEST(Net, ThinSurfacesAreVerifiedByEveryList) {
 
 TEST(Net, ThinSurfacesAreVerifiedByEveryWay) {
   for (const char* name : {"g2-thin-1e-2", "g2-thin-1e-4", "g2-thin-1e-8", "g2-thinsep-1e-4", "g3-thin-1e-4"}) {
-    const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    const Surface surface = test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const char* epsilon : {"0.2", "1", "3"}) {
       for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
         for (const Walk walk : {Walk::visibility, Walk::straight}) {
@@ -322,7 +322,7 @@ Means means(int octagons, const char* epsilon, const Variant& variant = {}) {
   for (std::int32_t seed = 1; seed <= octagons; ++seed) {
     const VariantNet net = compute_variant(random_octagon(seed), Length(epsilon), variant);
     const RefinementStatistics& s = net.statistics;
-    sum.vertices += static_cast<double>(net.net.vertices.size());
+    sum.vertices += static_cast<double>(net.document.vertices.size());
     sum.flips_per_insertion += static_cast<double>(s.flips) / static_cast<double>(s.insertions);
     sum.steps_of_walks += static_cast<double>(s.walk_steps) / static_cast<double>(s.located - s.located_at_start);
     sum.share_at_start += static_cast<double>(s.located_at_start) / static_cast<double>(s.located);
@@ -399,7 +399,7 @@ RC_GTEST_PROP(NetProperty, IsVerifiedAndItsSizeLiesBetweenTheBounds, ()) {
   const CertifiedNet net = certified_net(surface, Length(epsilon), kOneThread);
   RC_ASSERT(net.certificate.verdict == Verdict::verified);
   RC_ASSERT(net.certificate.rules.size() == 7U);
-  const auto vertices = static_cast<double>(net.net.vertices.size());
+  const auto vertices = static_cast<double>(net.document.vertices.size());
   const double e = std::stod(epsilon);
   const double systole = short_curve(surface);
   RC_ASSERT(vertices >= 1 / std::pow(std::sinh(e / 2), 2));                             // Theorem III.2
@@ -419,7 +419,7 @@ RC_GTEST_PROP(NetProperty, IsVerifiedWhateverTheWay, ()) {
       for (const TriangleList list : kLists) {
         const Variant variant{.insertion = insertion, .walk = walk, .list = list};
         const VariantNet net = compute_variant(surface, Length(epsilon), variant, kOneThread);
-        RC_ASSERT(certify::check(net.net, kOneThread.check).verdict == Verdict::verified);
+        RC_ASSERT(certify::check(net.document, kOneThread.check).verdict == Verdict::verified);
       }
     }
   }
@@ -448,7 +448,7 @@ RC_GTEST_PROP(NetProperty, IsTheSameBytesEveryTime, ()) {
   NetOptions many;
   many.check.threads = 2 + any_index(4u);
   const CertifiedNet other = certified_net(random_octagon(seed), Length(epsilon), many);
-  RC_ASSERT(text_of(one.net) == text_of(other.net));
+  RC_ASSERT(text_of(one.document) == text_of(other.document));
   for (std::size_t i = 0; i < one.certificate.rules.size(); ++i) {
     RC_ASSERT(one.certificate.rules[i].text == other.certificate.rules[i].text);
   }

@@ -13,8 +13,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/netgen/matrix_texts.h"
 
 /// Numbers that texts name, and surfaces over the fields of such numbers.

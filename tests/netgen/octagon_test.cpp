@@ -1,12 +1,11 @@
-#include "netgen/surfaces/octagon.h"
-
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <string>
 
-#include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet::octagon_test {

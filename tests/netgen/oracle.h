@@ -8,7 +8,8 @@
 #include "certify/net/document.h"
 #include "kernel/plane.h"
 #include "netgen/base/options.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
+#include "tests/support/in_circle.h"
 #include "triangulation/mesh/threshold.h"
 
 /// A second opinion on net files, for the tests of `certify`: docs/format.md and the rules of docs/proof.md, written

@@ -13,7 +13,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"
@@ -136,15 +136,15 @@ TEST(Parts, GiveTheSameBytesForAnyNumberOfThreads) {
 TEST(Parts, MakeNetsThatAreVerified) {
   const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(20, 7), 7));
   const VariantNet one = compute_variant(surface, Length("0.04"), {}, {.threads = 1});
-  EXPECT_EQ(certify::check(one.net).verdict, certify::Verdict::verified);
-  EXPECT_GT(one.net.vertices.size(), 100'000U);
+  EXPECT_EQ(certify::check(one.document).verdict, certify::Verdict::verified);
+  EXPECT_GT(one.document.vertices.size(), 100'000U);
   const VariantNet three = compute_variant(surface, Length("0.04"), {}, {.threads = 3});
   EXPECT_EQ(one.statistics.insertions, three.statistics.insertions);
   EXPECT_EQ(one.statistics.flips, three.statistics.flips);
-  ASSERT_EQ(one.net.vertices.size(), three.net.vertices.size());
-  for (std::size_t v = 0; v < one.net.vertices.size(); ++v) {
-    ASSERT_EQ(one.net.vertices[v].x, three.net.vertices[v].x);
-    ASSERT_EQ(one.net.vertices[v].y, three.net.vertices[v].y);
+  ASSERT_EQ(one.document.vertices.size(), three.document.vertices.size());
+  for (std::size_t v = 0; v < one.document.vertices.size(); ++v) {
+    ASSERT_EQ(one.document.vertices[v].x, three.document.vertices[v].x);
+    ASSERT_EQ(one.document.vertices[v].y, three.document.vertices[v].y);
   }
 }
 
@@ -153,7 +153,7 @@ TEST(Parts, MakePseudoNetsThatAreVerified) {
   coordinates.lengths[2] = Rational(1, 1'000'000);
   const CertifiedNet net =
       certified_net(fenchel_nielsen_surface(coordinates), Length("0.0125"), {.pseudo = true, .threads = 2});
-  EXPECT_GT(net.net.vertices.size(), 90'000U);
+  EXPECT_GT(net.document.vertices.size(), 90'000U);
 }
 
 TEST(Parts, HandOnWhatTheCallerThrows) {

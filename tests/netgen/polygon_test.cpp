@@ -17,9 +17,7 @@
 #include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 

@@ -19,7 +19,7 @@
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 
@@ -57,14 +57,14 @@ std::size_t expect_verified(const Surface& surface, const std::string& epsilon, 
                             const NetOptions& options = kPseudo, const Variant& variant = {}) {
   try {
     const VariantNet net = compute_variant(surface, Length(epsilon), variant, options);
-    const Certificate certificate = certify::check(net.net, options.check);
+    const Certificate certificate = certify::check(net.document, options.check);
     EXPECT_EQ(certificate.verdict, Verdict::verified);
     EXPECT_EQ(certificate.rules.size(), 9U);
     EXPECT_EQ(certificate.counts.collars, collars) << epsilon;
     EXPECT_EQ(net.statistics.collars, collars);
-    EXPECT_LT(static_cast<double>(net.net.vertices.size()),
+    EXPECT_LT(static_cast<double>(net.document.vertices.size()),
               most_vertices_of_pseudo_net(surface.genus(), std::stod(epsilon)));
-    return net.net.vertices.size();
+    return net.document.vertices.size();
   } catch (const NetError& error) {
     ADD_FAILURE() << "epsilon " << epsilon << ": " << error.what();
     return 0;
@@ -136,10 +136,10 @@ TEST(PseudoNet, WithoutShortCurvesItIsTheNet) {
   for (const Surface& surface : surfaces) {
     for (const char* epsilon : {"0.34", "0.2"}) {
       expect_verified(surface, epsilon, 0);
-      NetDocument pseudo = compute_net(surface, Length(epsilon), kPseudo).net;
+      NetDocument pseudo = compute_net(surface, Length(epsilon), kPseudo).document;
       EXPECT_TRUE(pseudo.collars && pseudo.collars->empty());
       pseudo.collars.reset();
-      EXPECT_EQ(pseudo, compute_net(surface, Length(epsilon)).net);
+      EXPECT_EQ(pseudo, compute_net(surface, Length(epsilon)).document);
     }
   }
 }
@@ -156,11 +156,11 @@ TEST(PseudoNet, EpsilonIsAtMostLnSqrt2) {
 }
 
 TEST(PseudoNet, FileReadsBackTheSame) {
-  const NetDocument net = compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).net;
+  const NetDocument net = compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).document;
   std::ostringstream out;
   certify::write_file(net, out);
   EXPECT_EQ(certify::parse_file<certify::NetDocument>(out.str(), "net"), net);
-  EXPECT_EQ(net, compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).net);
+  EXPECT_EQ(net, compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).document);
 }
 
 RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
@@ -174,13 +174,13 @@ RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
     options.base = centre_of_tile(surface, TileId(any_index(surface.tiles().size())));
   }
   const VariantNet net = compute_variant(surface, epsilon, variant, options);
-  const Certificate certificate = certify::check(net.net, options.check);
+  const Certificate certificate = certify::check(net.document, options.check);
   const auto short_cuffs = std::count_if(coordinates.lengths.begin(), coordinates.lengths.end(),
                                          [&](const Rational& length) { return length < epsilon.value(); });
   RC_ASSERT(certificate.verdict == Verdict::verified);
   RC_ASSERT(certificate.counts.collars >= static_cast<std::uint64_t>(short_cuffs));
   RC_ASSERT(certificate.counts.collars <= 3 * genus - 3);
-  RC_ASSERT(static_cast<double>(net.net.vertices.size()) <
+  RC_ASSERT(static_cast<double>(net.document.vertices.size()) <
             most_vertices_of_pseudo_net(genus, static_cast<double>(epsilon.value())));
 }
 
@@ -189,7 +189,7 @@ RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
 /// Two collars, of lengths 1/100 and 1/10.
 const NetDocument& good() {
   static const NetDocument net =
-      compute_net(with_cuffs({Rational(1, 100), Rational(1, 10)}), Length("0.34"), kPseudo).net;
+      compute_net(with_cuffs({Rational(1, 100), Rational(1, 10)}), Length("0.34"), kPseudo).document;
   return net;
 }
 
@@ -210,7 +210,7 @@ TEST(PseudoCertificate, SaysWhatItIs) {
   for (const auto& report : certificate.rules) rules.push_back(report.rule);
   EXPECT_EQ(rules, (std::vector<std::string>{"surface", "map", "gluing", "collars", "orientation", "delaunay",
                                              "covering", "packing", "thick"}));
-  const Certificate plain = certify::check(compute_net(random_octagon(1), Length("0.5")).net);
+  const Certificate plain = certify::check(compute_net(random_octagon(1), Length("0.5")).document);
   EXPECT_EQ(plain.claim, "an epsilon-net");
   EXPECT_FALSE(plain.counts.collars.has_value());
 }
@@ -255,7 +255,7 @@ TEST(PseudoCertificate, TrianglesAreGluedToAnAnnulus) {
   // Nets of few vertices have many triangles ppq and qqp, most of them not glued along two edges.
   std::size_t seen = 0;
   for (const std::int32_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
-    NetDocument net = compute_net(random_octagon(seed), Length("2")).net;
+    NetDocument net = compute_net(random_octagon(seed), Length("2")).document;
     net.epsilon = "0.3";
     const auto find = [&](std::uint32_t p, std::uint32_t q) {
       std::vector<std::uint32_t> result;
@@ -318,7 +318,7 @@ TEST(PseudoCertificate, TheLengthIsEnclosed) {
 }
 
 TEST(PseudoCertificate, TheCoreIsNoLongerThanEpsilon) {
-  NetDocument net = compute_net(with_cuffs({Rational(1, 10)}), Length("0.34"), kPseudo).net;
+  NetDocument net = compute_net(with_cuffs({Rational(1, 10)}), Length("0.34"), kPseudo).document;
   net.epsilon = "0.05";
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: collars: collar 0"));
   EXPECT_THAT(outcome(net), HasSubstr("greater than epsilon"));
@@ -367,7 +367,7 @@ TEST(PseudoCertificate, ACollarThatIsNotNamedIsNotCovered) {
   net.collars.reset();
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: covering"));
   // In a collar as wide as ε/4 the triangles are small, but the two vertices are close.
-  net = compute_net(with_cuffs({Rational(2499999, 10000000)}), Length("0.25"), kPseudo).net;
+  net = compute_net(with_cuffs({Rational(2499999, 10000000)}), Length("0.25"), kPseudo).document;
   EXPECT_EQ(outcome(net), "VERIFIED");
   net.collars->clear();
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: packing"));
@@ -375,7 +375,7 @@ TEST(PseudoCertificate, ACollarThatIsNotNamedIsNotCovered) {
 
 TEST(PseudoCertificate, VerticesOfNoCollarAreThick) {
   // A net of the whole surface has vertices in the thin part.
-  NetDocument net = compute_net(with_cuffs({Rational(1, 10)}), Length("0.34")).net;
+  NetDocument net = compute_net(with_cuffs({Rational(1, 10)}), Length("0.34")).document;
   EXPECT_EQ(outcome(net), "VERIFIED");
   net.collars.emplace();
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: thick: the edge of dart"));

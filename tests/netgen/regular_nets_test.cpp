@@ -15,8 +15,8 @@ void expect_net(std::uint32_t genus, const char* epsilon) {
   EXPECT_EQ(net.certificate.counts.genus, genus);
   // Theorem III.2 of the thesis; what refinement gives is 2.2 times as many.
   const double least = (genus - 1.0) / std::pow(std::sinh(std::stod(epsilon) / 2), 2);
-  EXPECT_GE(static_cast<double>(net.net.vertices.size()), least);
-  EXPECT_LE(static_cast<double>(net.net.vertices.size()), 3 * least);
+  EXPECT_GE(static_cast<double>(net.document.vertices.size()), least);
+  EXPECT_LE(static_cast<double>(net.document.vertices.size()), 3 * least);
 }
 
 TEST(RegularNets, AreVerifiedForEveryGenusUpTo20) {
@@ -29,7 +29,7 @@ TEST(RegularNets, AreVerifiedForGenus100) { expect_net(100, "0.5"); }
 
 TEST(RegularNets, AllDiagonalsAreTiesWithOneVertex) {
   const CertifiedNet net = certified_net(Surface::regular(1000), Length("20"));
-  EXPECT_EQ(net.net.vertices.size(), 1U);
+  EXPECT_EQ(net.document.vertices.size(), 1U);
   EXPECT_EQ(net.certificate.counts.exact_ties, 3997U) << "all diagonals of the dual polygon";
 }
 

@@ -14,12 +14,11 @@
 #include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
-#include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/variants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 
@@ -133,18 +132,18 @@ RC_GTEST_PROP(RenumberingProperty, ChangesNumbersAlone, ()) {
 TEST(SparseNet, HasAtMostOneAndAHalfTimesTheLowerBound) {
   for (const std::int32_t seed : {1, 2, 3, 123, 321}) {
     const CertifiedNet net = certified_net(random_octagon(seed), 0.1, kSparse);
-    EXPECT_LE(times_lower_bound(net.net, 2), 1.5) << "seed " << seed;
+    EXPECT_LE(times_lower_bound(net.document, 2), 1.5) << "seed " << seed;
   }
-  EXPECT_LE(times_lower_bound(certified_net(random_octagon(5), 0.04, kSparse).net, 2), 1.5);
+  EXPECT_LE(times_lower_bound(certified_net(random_octagon(5), 0.04, kSparse).document, 2), 1.5);
   const Surface genus_3 = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, 1), 1));
-  EXPECT_LE(times_lower_bound(certified_net(genus_3, 0.1, kSparse).net, 3), 1.5);
+  EXPECT_LE(times_lower_bound(certified_net(genus_3, 0.1, kSparse).document, 3), 1.5);
 }
 
 TEST(SparseNet, HasNoMoreVerticesThanTheOrdinaryNet) {
   for (const test::NamedSurface& named : test::gallery()) {
     for (const char* epsilon : {"0.6", "1", "3"}) {
-      EXPECT_LE(compute_net(named.surface, Length(epsilon), kSparse).net.vertices.size(),
-                compute_net(named.surface, Length(epsilon)).net.vertices.size())
+      EXPECT_LE(compute_net(named.surface, Length(epsilon), kSparse).document.vertices.size(),
+                compute_net(named.surface, Length(epsilon)).document.vertices.size())
           << named.name << ", " << epsilon;
     }
   }
@@ -166,8 +165,8 @@ TEST(SparseNet, ProgressGrows) {
 
 TEST(SparseNet, IsTheSameEachTime) {
   const Surface surface = random_octagon(7);
-  EXPECT_EQ(text_of(compute_net(surface, Length("0.1"), kSparse).net),
-            text_of(compute_net(surface, Length("0.1"), kSparse).net));
+  EXPECT_EQ(text_of(compute_net(surface, Length("0.1"), kSparse).document),
+            text_of(compute_net(surface, Length("0.1"), kSparse).document));
 }
 
 TEST(SparseNet, IsANetForEveryEpsilon) {
@@ -184,7 +183,7 @@ TEST(SparseNet, DoesNotTwistAroundAVeryShortCurve) {
   const Surface surface = fenchel_nielsen_surface(coordinates);
   for (const char* epsilon : {"0.4", "2"}) {
     const CertifiedNet net = certified_net(surface, Length(epsilon), kSparse);
-    EXPECT_LE(net.net.vertices.size(), compute_net(surface, Length(epsilon)).net.vertices.size()) << epsilon;
+    EXPECT_LE(net.document.vertices.size(), compute_net(surface, Length(epsilon)).document.vertices.size()) << epsilon;
   }
 }
 
@@ -195,10 +194,10 @@ TEST(SparseNet, KeepsTheBasePoint) {
   const Triangulation start(surface, options.base);
   for (const char* epsilon : {"0.15", "0.5", "2"}) {
     const CertifiedNet net = certified_net(surface, Length(epsilon), options);
-    const auto& vertex = net.net.vertices.front();
+    const auto& vertex = net.document.vertices.front();
     EXPECT_EQ(vertex.x, start.vertex(VertexId(0)).z.x);
     EXPECT_EQ(vertex.y, start.vertex(VertexId(0)).z.y);
-    EXPECT_EQ(net.net.charts[vertex.chart].centre.x,
+    EXPECT_EQ(net.document.charts[vertex.chart].centre.x,
               to_gmp(start.atlas().charts()[start.vertex(VertexId(0)).chart].centre).x);
   }
 }
@@ -207,11 +206,11 @@ TEST(SparseNet, IsMadeWithEveryListAndByFlips) {
   const Surface surface = random_octagon(3);
   const auto made = [&](const Variant& variant) {
     VariantNet net = compute_variant(surface, Length("0.15"), variant, kSparse);
-    EXPECT_EQ(certify::check(net.net, kSparse.check).verdict, certify::Verdict::verified);
+    EXPECT_EQ(certify::check(net.document, kSparse.check).verdict, certify::Verdict::verified);
     return net;
   };
   for (const TriangleList list : {TriangleList::all_back, TriangleList::all_front, TriangleList::largest_first}) {
-    EXPECT_LE(times_lower_bound(made({.list = list}).net, 2), 1.7) << name_in(kTriangleListNames, list);
+    EXPECT_LE(times_lower_bound(made({.list = list}).document, 2), 1.7) << name_in(kTriangleListNames, list);
   }
   const RefinementStatistics by_flips = made({.insertion = Insertion::flips}).statistics;
   EXPECT_EQ(by_flips.located, by_flips.insertions);

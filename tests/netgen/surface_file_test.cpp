@@ -1,5 +1,4 @@
-#include "netgen/surfaces/surface_file.h"
-
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <ostream>
@@ -9,10 +8,11 @@
 #include <vector>
 
 #include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "netgen/base/atomic_file.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet::surface_file_test {
@@ -58,15 +58,20 @@ void write_text(const fs::path& path, const std::string& text) {
   write_file_atomically(path, [&](std::ostream& out) { out << text; });
 }
 
+void save(const Surface& surface, const fs::path& path) {
+  std::ofstream out(path);
+  certify::write_file(to_document(surface), out);
+}
+
 TEST_F(SurfaceFile, WhatIsSavedLoadsTheSame) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = import_surface_file(path);
-    save_surface(surface, directory_ / "a.json");
+    const Surface surface = test::imported(path);
+    save(surface, directory_ / "a.json");
     const Surface copy = load_surface(directory_ / "a.json");
     EXPECT_EQ(copy.tiles(), surface.tiles());
     EXPECT_EQ(copy.gluing(), surface.gluing());
     EXPECT_EQ(copy.genus(), surface.genus());
-    save_surface(copy, directory_ / "b.json");
+    save(copy, directory_ / "b.json");
     EXPECT_EQ(test::file_text(directory_ / "a.json"), test::file_text(directory_ / "b.json"));
   }
 }
@@ -74,12 +79,12 @@ TEST_F(SurfaceFile, WhatIsSavedLoadsTheSame) {
 TEST_F(SurfaceFile, SeveralTilesLoadTheSame) {
   const auto polygon = test::with_vertex_on_side(test::paired_polygon(random_octagon(1)), 2, Rational(1, 3));
   const Surface surface = read_domain(test::domain_text(polygon), "test");
-  save_surface(surface, directory_ / "a.json");
+  save(surface, directory_ / "a.json");
   EXPECT_EQ(load_surface(directory_ / "a.json").tiles(), surface.tiles());
 }
 
 TEST_F(SurfaceFile, AWellFormedFileThatIsNoSurfaceIsASurfaceError) {
-  save_surface(random_octagon(123), directory_ / "a.json");
+  save(random_octagon(123), directory_ / "a.json");
   std::string text = test::file_text(directory_ / "a.json");
   text.replace(text.find("3769/5000"), 9, "3768/5000");
   write_text(directory_ / "a.json", text);

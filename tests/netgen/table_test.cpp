@@ -3,12 +3,12 @@
 #include <iostream>
 
 #include "certify/check.h"
-#include "netgen/exchange/domain_format.h"
-#include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
+#include "tests/support/polygons.h"
 
 namespace epsnet::table_test {
 namespace {
@@ -18,7 +18,7 @@ void expect_mean(const char* epsilon, double thesis, double tolerance) {
   constexpr std::int32_t kOctagons = 180;
   double vertices = 0;
   for (std::int32_t seed = 1; seed <= kOctagons; ++seed) {
-    vertices += static_cast<double>(compute_net(random_octagon(seed), Length(epsilon)).net.vertices.size());
+    vertices += static_cast<double>(compute_net(random_octagon(seed), Length(epsilon)).document.vertices.size());
   }
   std::cout << "epsilon " << epsilon << ": " << vertices / kOctagons << " vertices, thesis " << thesis << '\n';
   EXPECT_NEAR(vertices / kOctagons, thesis, tolerance * thesis);
@@ -60,7 +60,7 @@ TEST(DeepTableIV4, MeansOfThinSurfacesAgreeWithTheThesis) {
       coordinates.lengths[0] = Rational(1, 10'000);
       coordinates.twists[0] = 0;
       const CertifiedNet net = certified_net(fenchel_nielsen_surface(coordinates), Length(epsilon));
-      mean += static_cast<double>(net.net.vertices.size()) / kSurfaces;
+      mean += static_cast<double>(net.document.vertices.size()) / kSurfaces;
     }
     std::cout << "epsilon " << epsilon << ": " << mean << " vertices, thesis or model " << thesis << '\n';
     EXPECT_NEAR(mean, thesis, 0.06 * thesis);
@@ -76,7 +76,7 @@ TEST(DeepTableIV5, MeansOfGenus3AgreeWithTheThesis) {
     constexpr std::uint64_t kSurfaces = 50;
     for (std::uint64_t seed = 1; seed <= kSurfaces; ++seed) {
       const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, seed), seed));
-      mean += static_cast<double>(compute_net(surface, Length(epsilon)).net.vertices.size()) / kSurfaces;
+      mean += static_cast<double>(compute_net(surface, Length(epsilon)).document.vertices.size()) / kSurfaces;
     }
     std::cout << "epsilon " << epsilon << ": " << mean << " vertices, thesis " << thesis << '\n';
     EXPECT_NEAR(mean, thesis, 0.03 * thesis);
@@ -92,7 +92,7 @@ TEST(DeepLargeGenus, FenchelNielsenSurfacesAreVerified) {
 
 TEST(DeepLargeGenus, PolygonsAreVerified) {
   for (const char* name : {"g20-rnd0", "g50-small"}) {
-    const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    const Surface surface = test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const char* epsilon : {"3", "0.5", "0.2"}) {
       EXPECT_EQ(certified_net(surface, Length(epsilon)).certificate.verdict, certify::Verdict::verified) << name;
     }

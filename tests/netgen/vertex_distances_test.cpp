@@ -10,14 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::vertex_distances_test {
@@ -33,26 +32,26 @@ std::vector<std::uint32_t> all_vertices(const NetDocument& net) {
   return result;
 }
 
-NetDocument octagon_net() { return compute_net(random_octagon(123), Length("0.5")).net; }
+NetDocument octagon_net() { return compute_net(random_octagon(123), Length("0.5")).document; }
 
 /// Genus 2, a cuff of the length given between two tori, ε = 0.34.
 NetDocument thin_pseudo_net(const Rational& cuff) {
   const FenchelNielsen coordinates{
       PantsGraph::parse("0-0 0-1 1-1"), {1, cuff, 2}, {Rational(1, 10), cuff / 3, Rational(1, 2)}};
-  return compute_net(fenchel_nielsen_surface(coordinates), Length("0.34"), {.pseudo = true}).net;
+  return compute_net(fenchel_nielsen_surface(coordinates), Length("0.34"), {.pseudo = true}).document;
 }
 
 /// Ordinary ones, a pseudo net, and one of a regular surface, where distances have exact ties.
 const std::vector<NetDocument>& nets() {
   static const std::vector<NetDocument> result{octagon_net(), thin_pseudo_net(Rational(1, 100'000'000)),
-                                               compute_net(Surface::regular(2), Length("0.6")).net,
-                                               compute_net(test::tiled_gallery()[10].surface, Length("1.5")).net};
+                                               compute_net(Surface::regular(2), Length("0.6")).document,
+                                               compute_net(test::tiled_gallery()[10].surface, Length("1.5")).document};
   return result;
 }
 
 TEST(VertexDistances, ContainWhatDistanceProves) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
-    const NetDocument net = compute_net(named.surface, Length("0.9")).net;
+    const NetDocument net = compute_net(named.surface, Length("0.9")).document;
     const auto last = static_cast<std::uint32_t>(net.vertices.size() - 1);
     const DistanceTable table = vertex_distances(net, {0, last / 2}, {last, last / 3});
     for (std::size_t row = 0; row < 2; ++row) {
@@ -120,9 +119,9 @@ TEST(VertexDistances, AreLipschitzAlongEdges) {
 /// The nearest other vertex is a neighbour in the Delaunay triangulation (docs/proof.md, Lemma 6).
 TEST(VertexDistances, TheLeastIsTheShortestEdge) {
   const CertifiedNet result = certified_net(random_octagon(1), Length("0.4"));
-  const DistanceTable table = distances_from(result.net, all_vertices(result.net));
+  const DistanceTable table = distances_from(result.document, all_vertices(result.document));
   double least = 100;
-  for (std::size_t i = 0; i < result.net.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < result.document.vertices.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) least = std::min(least, table.distance(i, k));
   }
   EXPECT_NEAR(least, result.certificate.enclosures->shortest_edge->lower, table.error());
@@ -131,7 +130,7 @@ TEST(VertexDistances, TheLeastIsTheShortestEdge) {
 /// By brute force: over the images of a point under all words of at most six crossings.
 TEST(VertexDistances, AreTheLeastThatWordsGive) {
   const Surface surface = random_octagon(123);
-  const NetDocument net = compute_net(surface, Length("0.8")).net;
+  const NetDocument net = compute_net(surface, Length("0.8")).document;
   std::vector<Isometry<double>> elements{Isometry<double>{}};
   std::set<std::pair<long, long>> seen;
   for (std::size_t done = 0, level = 0; level < 6; ++level) {

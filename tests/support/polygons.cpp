@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "netgen/exchange/exchange.h"
+
 namespace epsnet::test {
 
 std::string file_text(const std::filesystem::path& path) {
@@ -24,6 +26,8 @@ std::vector<std::filesystem::path> data_files(const std::string& folder) {
   std::sort(files.begin(), files.end());
   return files;
 }
+
+Surface imported(const std::filesystem::path& path) { return import_surface(file_text(path), path.string()); }
 
 PairedPolygon paired_polygon(const Surface& surface) {
   PairedPolygon polygon{surface.tiles().at(0), {}};

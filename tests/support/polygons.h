@@ -15,6 +15,9 @@ std::string file_text(const std::filesystem::path& path);
 
 std::vector<std::filesystem::path> data_files(const std::string& folder);
 
+/// The surface of a file that another program wrote (import_surface).
+Surface imported(const std::filesystem::path& path);
+
 /// One polygon and the partner of each of its sides.
 struct PairedPolygon {
   Tile vertices;

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "netgen/exchange/domain_format.h"
+#include "certify/file/reader.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/insertion.h"
 
@@ -19,8 +20,8 @@ const std::deque<NamedSurface>& gallery() {
       result.push_back({"octagon " + std::to_string(seed), random_octagon(seed)});
     }
     for (const char* name : {"g2-small", "g2-theta", "g2-thin-1e-4", "g3-rnd0", "g4-treeloops", "g5-rnd0", "g8-rnd0"}) {
-      result.push_back(
-          {name, import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt")});
+      const std::string path = std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt";
+      result.push_back({name, import_surface(certify::load(path), path)});
     }
     return result;
   }();

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/isometry.h"
+#include "kernel/plane.h"
 #include "triangulation/mesh/editor.h"
 
 namespace epsnet {

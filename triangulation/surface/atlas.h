@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/charts.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/label_table.h"

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernel/isometry.h"
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 
 /// Points of the Poincaré disk with rational coordinates, as integers: products of these take no gcd, which would be
 /// most of the work.

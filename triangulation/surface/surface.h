@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/id.h"
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <variant>
 
-#include "certify/base/fault.h"
+#include "certify/base/error.h"
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/file/compact.h"
@@ -33,14 +33,11 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pants/pants.h"
-#include "netgen/pictures/net_pictures.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/maps_and_covers.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::wasm {
 namespace {
@@ -390,7 +387,7 @@ Answer make_net(const Members& members, const Progress& progress) {
   const Surface surface = surface_of(members);
   if (members.has("base")) options.base = point_of(members, "base", surface);
   const UncertifiedNet net = compute_net(surface, members.length("epsilon"), options);
-  return proved(net.net, Json::object({{"info", net_info(net.net).json}}), progress);
+  return proved(net.document, Json::object({{"info", net_info(net.document).json}}), progress);
 }
 
 Answer check_file(const Members& members, const Progress& progress) {

@@ -9,9 +9,9 @@
 #include "certify/claims/net/claim.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
-#include "certify/numbers/precision.h"
+#include "certify/numbers/ball.h"
 #include "certify/verdict/verification.h"
 
 namespace epsnet::certify {

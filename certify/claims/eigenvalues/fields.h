@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <tuple>
 
 #include "certify/base/fields.h"
+#include "certify/base/text.h"
 #include "certify/claims/eigenvalues/document.h"
+#include "certify/verdict/report.h"
 
 namespace epsnet::certify {
 
@@ -50,5 +54,32 @@ struct Fields<EigenvaluesDocument> {
                    member("eigenfunctions", document.eigenfunctions)));
   }
 };
+
+// The claim of an eigenvalues file: where the first eigenvalues of the Laplacian lie (docs/proof.md, section 17).
+
+struct Claim;
+
+/// What an eigenvalues document must satisfy before any rule makes sense: a net without collars; orders that are
+/// permutations of the sides and vertices of the halved triangles, where they are needed; 0 < `below` ≤ `sigma`;
+/// intervals 0 ≤ lo ≤ hi; for each eigenfunction 2M + 1 finite coefficients by vertex, M from 1 to 200, not all 0, a
+/// radius of more than ε and less than 2, 0 < lower end ≤ λ ≤ upper end, intervals in increasing order and disjoint.
+///
+/// The first problem; nullopt if there is none. Exact, O(size of the document).
+[[nodiscard]] Problem structure_problem(const EigenvaluesDocument& document);
+
+/// About the least number of bytes of a file with this content (docs/format.md, "Limits").
+[[nodiscard]] std::uint64_t least_bytes(const EigenvaluesDocument& document);
+
+/// The names of its own rules, in order:
+///
+/// * `most`, `least`: the counts of `at_most` and `at_least`, by the inertia of matrices; never refuted;
+/// * `eigenfunctions`: the functions of each row prove as many eigenvalues in its interval; never refuted;
+/// * `enclosures`: what is claimed of λ₁, λ₂, … follows from these.
+///
+/// Time: for each count that of a factorization, about the sum of the squares of the numbers of entries in the columns
+/// of the factor; for functions of order M, vertices·M²·10³ each.
+[[nodiscard]] RuleNames own_rules(const EigenvaluesDocument& document);
+
+[[nodiscard]] Claim claim_of(const EigenvaluesDocument& document);
 
 }  // namespace epsnet::certify

@@ -1,15 +1,226 @@
 #include "certify/claims/eigenvalues/overlaps.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <complex>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include "certify/base/text.h"
-#include "certify/claims/eigenvalues/near_vertices.h"
+#include "certify/net/numbering.h"
+#include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
-#include "certify/numbers/rounding.h"
 
 namespace epsnet::certify {
+namespace {
+
+BallIsometry product(const BallIsometry& f, const BallIsometry& g) { return compose(f, g, Precision::bits()); }
+
+/// sinh²(d/2), d the distance of 0 and f(0).
+Ball displacement(const BallIsometry& f) {
+  Ball result;
+  half_displacement_squared(result.get(), f, Precision::bits());
+  return result;
+}
+
+/// From the disk of the vertex's chart to the one with the vertex in its centre.
+BallIsometry to_centre(const NetDocument::Vertex& vertex) {
+  const Ball x = Ball::exactly(vertex.x);
+  const Ball y = Ball::exactly(vertex.y);
+  const Ball scale = rsqrt(Ball::exactly(1) - sqr(x) - sqr(y));
+  return {{scale, Ball()}, {-(scale * x), -(scale * y)}};
+}
+
+/// By vertex: the ends of its edges, as they are seen from it.
+std::vector<std::vector<NearVertex>> neighbours(const NetDocument& net, const std::vector<BallIsometry>& labels) {
+  std::vector<BallIsometry> frames;
+  for (const NetDocument::Vertex& vertex : net.vertices) frames.push_back(to_centre(vertex));
+  // From the disk around the start of a dart to the chart of its triangle.
+  const auto placed = [&](std::uint32_t dart) {
+    const std::uint32_t label = corner_label(net, dart);
+    const BallIsometry from = inverse(looked_up(frames, start(net, dart), "there is no vertex"));
+    return label == 0 ? from : product(looked_up(labels, label - 1, "there is no label"), from);
+  };
+  std::vector<std::vector<NearVertex>> result(net.vertices.size());
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+    const std::uint32_t next = next_dart(dart);
+    result[start(net, dart)].push_back({start(net, next), product(inverse(placed(dart)), placed(next)), {}});
+  }
+  return result;
+}
+
+/// The lifts around one vertex.
+class Neighbourhood {
+ public:
+  Neighbourhood(const std::vector<std::vector<NearVertex>>& edges, const Ball& shortest, const Ball& near,
+                const Ball& far, const Budget& budget)
+      : edges_(edges), shortest_(shortest), near_(near), far_(far), budget_(budget) {}
+
+  [[nodiscard]] std::optional<std::vector<NearVertex>> around(std::uint32_t centre) const {
+    const std::uint64_t work = 40 * ball_work(static_cast<std::uint64_t>(Precision::bits()));
+    std::vector<NearVertex> found{{centre, identity_isometry(), {}}};
+    std::multimap<std::uint32_t, std::size_t> of_vertex{{centre, 0}};  // Their numbers.
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      for (const NearVertex& edge : edges_[found[i].vertex]) {
+        const auto [first, last] = of_vertex.equal_range(edge.vertex);
+        budget_.spend(work, static_cast<std::uint64_t>(std::distance(first, last)) + 1);
+        BallIsometry isometry = product(found[i].isometry, edge.isometry);
+        const Ball sinh_squared = displacement(isometry);
+        if (certainly_less(far_, sinh_squared) == Tri::yes) continue;
+        bool known = false;
+        for (auto other = first; other != last && !known; ++other) {
+          // Two lifts are the same, or at least as far from each other as the shortest edge is long.
+          const Ball apart = displacement(product(inverse(found[other->second].isometry), isometry));
+          known = certainly_less(apart, shortest_) == Tri::yes;
+          if (!known && certainly_positive(apart) != Tri::yes) return std::nullopt;
+        }
+        if (known) continue;
+        budget_.spend(memory_work(500));
+        of_vertex.emplace(edge.vertex, found.size());
+        found.push_back({edge.vertex, std::move(isometry), sinh_squared});
+      }
+    }
+    std::vector<NearVertex> result;
+    for (std::size_t i = 1; i < found.size(); ++i) {
+      if (certainly_less(found[i].sinh_squared, near_) != Tri::no) result.push_back(std::move(found[i]));
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<std::vector<NearVertex>>& edges_;
+  const Ball& shortest_;
+  const Ball& near_;
+  const Ball& far_;
+  const Budget& budget_;
+};
+
+}  // namespace
+
+std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const NetDocument& net,
+                                                                  const std::vector<BallIsometry>& labels,
+                                                                  const Ball& distance, const Budget& budget,
+                                                                  unsigned threads) {
+  budget.spend(400 * ball_work(static_cast<std::uint64_t>(Precision::bits())), net.triangles.size());
+  const auto edges = neighbours(net, labels);
+  const Ball near = sqr(sinh(half(distance)));
+  const Ball far = sqr(sinh(half(distance) + Ball::rounded(decimal(net.epsilon))));
+  Ball shortest = far;
+  for (const auto& ends : edges) {
+    for (const NearVertex& end : ends) shortest = min(shortest, displacement(end.isometry));
+  }
+  const Neighbourhood neighbourhood(edges, shortest, near, far, budget);
+  std::vector<std::optional<std::vector<NearVertex>>> found(net.vertices.size());
+  for_each_parallel(found.size(), threads, [&](unsigned, std::size_t vertex) {
+    found[vertex] = neighbourhood.around(static_cast<std::uint32_t>(vertex));
+  });
+  std::vector<std::vector<NearVertex>> result;
+  for (auto& lifts : found) {
+    if (!lifts) return std::nullopt;
+    result.push_back(*std::move(lifts));
+  }
+  return result;
+}
+
+namespace {
+
+using Point = std::complex<double>;
+
+/// The sums over all lifts in a cell: all points within ρ of its centre.
+class PartitionCell {
+ public:
+  PartitionCell(double reach, double radius)
+      : reach_(reach),
+        cosh_(std::cosh(reach)),
+        sinh_(std::sinh(reach)),
+        scale_(2 * std::pow(std::sinh(radius / 2), 2)) {}
+
+  /// A lift, seen from the centre: C = cosh d, and the vector ∇C.
+  void add(Point z) {
+    const double gap = 1 - std::norm(z);
+    const double beyond_one = 2 * std::norm(z) / gap;  // C − 1
+    const Point vector = 2.0 * z / gap;
+    const double sinh = std::sqrt(std::norm(vector));
+    const double greatest_sinh = sinh * cosh_ + (1 + beyond_one) * sinh_;  // Of d + ρ.
+    const double greatest_cosh = (1 + beyond_one) * cosh_ + sinh * sinh_;
+    const double change = reach_ * greatest_sinh;
+    const double turn = reach_ * greatest_cosh;  // Of the gradient.
+    const double most = 1 - (beyond_one - change) / scale_;
+    if (most <= 0) return;
+    const double least = std::max(0.0, 1 - (beyond_one + change) / scale_);
+    const double here = std::max(0.0, 1 - beyond_one / scale_);
+    const double steepest = (sinh + turn) / scale_;
+    const double flattest = std::max(0.0, sinh - turn) / scale_;
+    squares_ += least * least;
+    slopes_ += 2 * most * steepest;
+    gradient_ += here * vector;
+    turns_ += (most - least) * (sinh + turn) + here * turn;
+    // Δh² = 2|∇h|² − 4hC/β, or 0 where h is 0.
+    double low = 2 * flattest * flattest - 4 * most * greatest_cosh / scale_;
+    double high = 2 * steepest * steepest - 4 * least * std::max(1.0, 1 + beyond_one - change) / scale_;
+    if (least == 0) {
+      low = std::min(low, 0.0);
+      high = std::max(high, 0.0);
+    }
+    laplacians_ += std::max(std::abs(low), std::abs(high));
+    lowest_ += low;
+    highest_ += high;
+  }
+
+  [[nodiscard]] PartitionBounds bounds() const {
+    if (squares_ <= 0) return {kInfinity, kInfinity};
+    const double gradient = 2 * (std::abs(gradient_) + turns_) / scale_;
+    const double laplacian = std::max(std::abs(lowest_), std::abs(highest_));
+    return {(laplacians_ + laplacian) / squares_ +
+                (2 * slopes_ * gradient + 2 * gradient * gradient) / (squares_ * squares_),
+            (slopes_ + gradient) / squares_};
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  double reach_;  ///< ρ
+  double cosh_;
+  double sinh_;
+  double scale_;        ///< β = cosh R − 1
+  double squares_ = 0;  ///< Of h, at least.
+  double slopes_ = 0;   ///< 2h|∇h|, at most.
+  Point gradient_;      ///< Σ h∇C, at the centre,
+  double turns_ = 0;    ///< and how far it may be from there.
+  double laplacians_ = 0;
+  double lowest_ = 0;
+  double highest_ = 0;
+};
+
+}  // namespace
+
+PartitionBounds partition_bounds(const std::vector<Point>& lifts, double epsilon, double radius) {
+  constexpr double kSide = 0.05;  // Of the squares, relative to the disk.
+  const double disk = std::tanh(epsilon / 2);
+  const double side = kSide * disk;
+  const double half_diagonal = side * 0.70710679;
+  // In the disk with its cells, lengths are at most 2/(1 − |z|²) times as long. The rest is for rounding.
+  const double reach = 2 * half_diagonal / (1 - std::pow(disk + side, 2)) * (1 + 1e-6) + 1e-9;
+  PartitionBounds result;
+  const int most = static_cast<int>(std::ceil(1 / kSide)) + 1;
+  for (int i = -most; i <= most; ++i) {
+    for (int j = -most; j <= most; ++j) {
+      const Point centre(i * side, j * side);
+      if (std::abs(centre) > disk + half_diagonal) continue;
+      PartitionCell cell(reach, radius);
+      for (const Point& lift : lifts) cell.add((lift - centre) / (1.0 - std::conj(centre) * lift));
+      const PartitionBounds here = cell.bounds();
+      result.laplacians = std::max(result.laplacians, here.laplacians);
+      result.gradients = std::max(result.gradients, here.gradients);
+    }
+  }
+  constexpr double kRounding = 1 + 1e-6;
+  return {result.laplacians * kRounding, result.gradients * kRounding};
+}
+
 namespace {
 
 ComplexBall quotient(const ComplexBall& x, const ComplexBall& y) {

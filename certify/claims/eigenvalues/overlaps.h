@@ -1,17 +1,54 @@
 #pragma once
 
+#include <complex>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "certify/claims/eigenvalues/local_values.h"
-#include "certify/claims/eigenvalues/partition.h"
 #include "certify/net/document.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/isometry.h"
 
 namespace epsnet::certify {
+
+// Which lifts of the vertices of a net are near each other. Balls round to the precision of the caller.
+
+/// A lift of a vertex, seen from another vertex.
+struct NearVertex {
+  std::uint32_t vertex;
+  /// From the disk with this vertex in its centre to the disk with the other one in its centre. Each is the disk of the
+  /// vertex's chart, translated.
+  BallIsometry isometry;
+  Ball sinh_squared;  ///< sinh²(d/2), d the distance of the two.
+};
+
+/// By vertex: all lifts of vertices nearer than `distance`, but itself, and perhaps some that are as far to the balls'
+/// precision. Nothing if balls do not tell which of them are the same. BudgetSpent.
+///
+/// Requires: the rules of the net are verified; `labels` are the values of its labels, number k ≥ 1 at k − 1. Time: the
+/// square of the number of lifts at most `distance` + 2ε away, by vertex.
+[[nodiscard]] std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const NetDocument& net,
+                                                                                const std::vector<BallIsometry>& labels,
+                                                                                const Ball& distance,
+                                                                                const Budget& budget, unsigned threads);
+
+// A partition of unity by functions around lifts of vertices (docs/proof.md, Lemma 37.2).
+
+/// Upper bounds for the sums of |Δψ_q| and of |∇ψ_q| over all q.
+struct PartitionBounds {
+  double laplacians = 0;
+  double gradients = 0;
+};
+
+/// Within ε of the centre of a disk, where the functions of these lifts, of which one is the centre itself, count
+/// within R of them. Infinite where they do not cover the disk. In binary64, with room for its errors. Time: some 1,500
+/// cells, times the number of lifts.
+///
+/// Requires: 0 < ε < R < 2, ε rounded up; the lifts are known to 10⁻¹², and are all that are within ε + R.
+[[nodiscard]] PartitionBounds partition_bounds(const std::vector<std::complex<double>>& lifts, double epsilon,
+                                               double radius);
 
 /// Where functions around the vertices of a net meet: what is the same for all rows of functions with one radius R.
 class Overlaps {

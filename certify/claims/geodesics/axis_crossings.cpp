@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify {
 namespace {

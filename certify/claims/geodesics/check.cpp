@@ -3,14 +3,14 @@
 #include <utility>
 
 #include "certify/base/text.h"
-#include "certify/claims/geodesics/crossing_pass.h"
+#include "certify/claims/geodesics/crossing_search.h"
 #include "certify/claims/geodesics/cut_surface.h"
 #include "certify/claims/geodesics/fields.h"
 #include "certify/claims/geodesics/sequences.h"
 #include "certify/claims/net/claim.h"
 #include "certify/net/structure.h"
+#include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
-#include "certify/numbers/precision.h"
 #include "certify/verdict/verification.h"
 
 namespace epsnet::certify {

@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 
 namespace epsnet::certify {
 namespace {

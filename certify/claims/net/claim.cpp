@@ -5,8 +5,8 @@
 
 #include "certify/claims/net/collars.h"
 #include "certify/net/geometry_check.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
-#include "certify/net/surface_sides.h"
 #include "certify/net/triangulation_check.h"
 
 namespace epsnet::certify {

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "certify/base/text.h"
-#include "certify/net/darts.h"
+#include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 #include "certify/net/triangulation_check.h"
-#include "certify/numbers/precision.h"
+#include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
 namespace {

@@ -11,10 +11,10 @@
 #include "certify/claims/net/claim.h"
 #include "certify/claims/pants/fields.h"
 #include "certify/lifted/lorentz.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
-#include "certify/net/surface_sides.h"
-#include "certify/numbers/ball_vector.h"
-#include "certify/numbers/precision.h"
+#include "certify/numbers/ball.h"
+#include "certify/numbers/isometry.h"
 #include "certify/verdict/verification.h"
 
 namespace epsnet::certify {

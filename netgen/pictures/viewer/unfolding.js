@@ -64,7 +64,7 @@ function decode(text, Type) {
 const next = d => d % 3 === 2 ? d - 2 : d + 1;
 const previous = d => d % 3 === 0 ? d + 2 : d - 1;
 
-// The triangulation of a net, from the data that `viewer_data` (netgen/pictures/net_pictures.h) makes of its file.
+// The triangulation of a net, from the data that `viewer_data` (netgen/pictures/pictures.h) makes of its file.
 class Net {
   constructor(data) {
     this.data = data;

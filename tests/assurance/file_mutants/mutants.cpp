@@ -26,7 +26,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/assurance/file_mutants/mutations.h"
 
 /// Mutants of files: single and double defects of true files, in the document or in its text. The verdicts of `certify`
@@ -72,12 +72,14 @@ Base net(const std::string& name, const Surface& surface, const char* epsilon, u
   NetOptions options;
   options.pseudo = pseudo;
   options.check.threads = 1;
-  return base(name + ", epsilon " + epsilon, certified_net(surface, Length(epsilon), options).net, weight);
+  return base(name + ", epsilon " + epsilon, certified_net(surface, Length(epsilon), options).document, weight);
 }
 Base file(const std::string& path, unsigned weight = 1) {
   return base(path, certify::read_file<Document>(EPSNET_TEST_DATA "/" + path), weight);
 }
-Surface polygon(const std::string& name) { return import_surface_file(EPSNET_TEST_DATA "/polygons/" + name + ".txt"); }
+Surface polygon(const std::string& name) {
+  return import_surface(certify::load(EPSNET_TEST_DATA "/polygons/" + name + ".txt"), name);
+}
 Surface cuffs(const PantsGraph& graph, const std::vector<const char*>& lengths) {
   FenchelNielsen coordinates{graph, {}, {}};
   for (const char* length : lengths) {

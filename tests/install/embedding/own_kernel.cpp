@@ -1,6 +1,6 @@
 #include <epsnet/epsnet.h>
 
-#include "kernel/isometry.h"
+#include "kernel/plane.h"
 
 #ifndef OF_THE_PROJECT
 #error "the project's definitions"

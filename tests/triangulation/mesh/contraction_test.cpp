@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "netgen/nets/start.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "netgen/nets/net_document.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/insertion.h"

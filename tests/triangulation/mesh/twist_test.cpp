@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "kernel/plane.h"
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/start.h"
+#include "tests/support/polygons.h"
 #include "triangulation/mesh/operations.h"
 
 /// What is done at once instead of step by step: many turns around a short closed curve, and paths that turn far around
@@ -20,7 +21,7 @@ namespace {
 /// Octagons with a closed geodesic of the length in their names, around which their sides and diagonals turn 58, 702
 /// and 70,000 times.
 Surface twisted_octagon(const std::string& length) {
-  return import_surface_file(std::string(EPSNET_TEST_DATA) + "/twisted/octagon-" + length + ".txt");
+  return test::imported(std::string(EPSNET_TEST_DATA) + "/twisted/octagon-" + length + ".txt");
 }
 
 /// The lengths of the edges, in order, as sinh² of half of them.
@@ -133,7 +134,7 @@ void expect_value(Atlas& atlas, const ById<SideId, Isometry<Mp4096>>& crossings,
 
 TEST(AtlasTurns, AreEvaluatedAsExactlyAsCrossingsOneByOne) {
   for (const Surface& surface :
-       {Surface::regular(16), import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g10-rnd0.txt")}) {
+       {Surface::regular(16), test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g10-rnd0.txt")}) {
     ASSERT_EQ(surface.vertex_class_count(), 1U);
     Atlas atlas(surface);
     (void)atlas.add_chart({TileId(0), {0, 0}});

@@ -9,8 +9,7 @@
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::atlas_test {

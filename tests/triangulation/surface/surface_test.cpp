@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/surfaces/octagon.h"
+#include "netgen/exchange/text_formats.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "triangulation/surface/glued_polygons.h"
 
@@ -51,7 +51,7 @@ TEST(Surface, OctagonHasGenusTwoAndOneVertex) {
 
 TEST(Surface, CrossingTakesASideToItsPartnerReversed) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     ASSERT_EQ(surface.tiles().size(), 1U);
     const Tile& tile = surface.tiles()[0];
     for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
@@ -214,7 +214,7 @@ TEST(Surface, EveryTileHasItsOwnCoordinates) {
 
 TEST(Surface, CoordinatesOfAThousandDigitsAreExact) {
   PairedPolygon polygon =
-      test::paired_polygon(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g5-rnd0.txt"));
+      test::paired_polygon(test::imported(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g5-rnd0.txt"));
   // An isometry whose centre has numerators and denominators of 600 digits.
   const Integer power = pow(Integer(10), 600);
   polygon.vertices =
@@ -246,7 +246,7 @@ TEST(Surface, IsThereAfterItWasMovedFrom) {
 
 TEST(Surface, SidesAroundATile) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     for (const TileId tile : surface.tile_ids()) {
       const auto n = static_cast<std::uint32_t>(surface.tile(tile).size());
       for (std::uint32_t k = 0; k < n; ++k) {
@@ -259,7 +259,7 @@ TEST(Surface, SidesAroundATile) {
 
 TEST(Surface, CornerCyclesGoOnceAroundAVertex) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = import_surface_file(path);
+    const Surface surface = test::imported(path);
     for (const SideId corner : surface.side_ids()) {
       Word cycle = surface.corner_cycle(corner);
       EXPECT_EQ(cycle.front(), corner) << path;
@@ -292,8 +292,7 @@ TEST(GluedPolygons, ARowOfTilesThatEndsAtOnceIsNoInput) {
 
 RC_GTEST_PROP(SurfaceProperty, RelabelledOrMovedPolygonIsTheSameSurface, ()) {
   const auto files = test::data_files("polygons");
-  PairedPolygon polygon =
-      test::paired_polygon(import_surface_file(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
+  PairedPolygon polygon = test::paired_polygon(test::imported(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
   const Surface before = polygon.surface();
   polygon = test::rotated(polygon, *rc::gen::inRange<std::uint32_t>(0, before.side_count()));
   polygon.vertices = test::moved(*test::isometries(), polygon.vertices);

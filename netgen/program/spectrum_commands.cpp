@@ -1,0 +1,374 @@
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "certify/base/text.h"
+#include "certify/file/writer.h"
+#include "netgen/base/progress_line.h"
+#include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/geodesics/geodesics.h"
+#include "netgen/pictures/pictures.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/prove/certified.h"
+
+/// The commands systole, spectrum and thick-thin: lists of closed geodesics, each with its proof.
+
+namespace epsnet::program {
+namespace {
+
+using ClosedGeodesic = certify::GeodesicsDocument::ClosedGeodesic;
+using certify::GeodesicsDocument;
+
+struct GeodesicsRequest {
+  std::string surface;
+  std::string up_to;
+  std::string epsilon = "1";
+  std::string output;
+  std::string svg;
+  bool no_certify = false;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+/// Finds geodesics; they are not proved yet.
+using Find = std::function<GeodesicsDocument(const Surface&, const GeodesicsOptions&)>;
+
+/// Returns "name: value" lines for a systole, otherwise a row for each geodesic.
+std::string geodesics_text(const GeodesicsDocument& document) {
+  std::ostringstream out;
+  if (document.claim == certify::GeodesicsDocument::Claim::systole) {
+    const ClosedGeodesic& shortest = document.geodesics.front();
+    out << "systole: " << to_string(shortest.length) << '\n'
+        << "simple: " << (shortest.simple ? "yes" : "no") << '\n'
+        << "word: " << word_text(shortest.word) << '\n';
+    return out.str();
+  }
+  const bool small = document.claim == certify::GeodesicsDocument::Claim::thick_thin;
+  out << "closed geodesics: " << document.geodesics.size() << ", primitive, up to orientation, of length at most "
+      << (small ? "2 arsinh 1" : document.up_to) << '\n';
+  for (const certify::GeodesicsDocument::Cluster& cluster : document.clusters) {
+    for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+      const ClosedGeodesic& geodesic = document.geodesics[i];
+      out << i << ": length " << to_string(geodesic.length);
+      if (small) out << ", collar of half-width " << to_string(collar_half_width(geodesic.length));
+      if (!small) out << (geodesic.simple ? ", simple" : ", not simple");
+      if (cluster.count > 1) {
+        out << ", one of " << cluster.count << (cluster.equal ? " of equal length" : " of lengths that overlap");
+      }
+      out << ", word " << word_text(geodesic.word) << '\n';
+    }
+  }
+  for (std::size_t p = 0; p < document.pieces.size(); ++p) {
+    const certify::GeodesicsDocument::Piece& piece = document.pieces[p];
+    out << "piece " << p << ": genus " << piece.genus << ", " << piece.boundaries.size()
+        << (piece.boundaries.size() == 1 ? " boundary" : " boundaries");
+    for (const auto& [geodesic, side] : piece.boundaries)
+      out << ", " << (side == 0 ? "left" : "right") << " of " << geodesic;
+    out << '\n';
+  }
+  return out.str();
+}
+
+Json geodesics_json(const GeodesicsDocument& document) {
+  const bool small = document.claim == certify::GeodesicsDocument::Claim::thick_thin;
+  Json result = Json::object();
+  result["claim"] = document.claim == certify::GeodesicsDocument::Claim::systole ? "systole"
+                    : small                                                      ? "thick-thin"
+                                                                                 : "spectrum";
+  if (document.claim == certify::GeodesicsDocument::Claim::spectrum) result["up_to"] = document.up_to;
+  result["geodesics"] = Json::array();
+  for (const ClosedGeodesic& geodesic : document.geodesics) {
+    Json& entry = result["geodesics"].emplace_back(Json::object());
+    entry["length"] = interval_json(geodesic.length);
+    if (small) entry["collar_half_width"] = interval_json(collar_half_width(geodesic.length));
+    entry["simple"] = geodesic.simple;
+    entry["word"] = geodesic.word;
+  }
+  if (document.claim != certify::GeodesicsDocument::Claim::systole) {
+    result["clusters"] = Json::array();
+    for (const certify::GeodesicsDocument::Cluster& cluster : document.clusters) {
+      result["clusters"].push_back(
+          Json::object({{"first", cluster.first}, {"count", cluster.count}, {"equal", cluster.equal}}));
+    }
+  }
+  if (small) {
+    result["pieces"] = Json::array();
+    for (const certify::GeodesicsDocument::Piece& piece : document.pieces) {
+      Json& entry = result["pieces"].emplace_back(Json::object({{"genus", piece.genus}}));
+      entry["boundaries"] = Json::array();
+      for (const auto& [geodesic, side] : piece.boundaries) {
+        entry["boundaries"].push_back(Json::object({{"geodesic", geodesic}, {"side", side == 0 ? "left" : "right"}}));
+      }
+    }
+  }
+  return result;
+}
+
+void list_geodesics(const GeodesicsRequest& request, const Find& find) {
+  check_files({{"SURFACE", request.surface}},
+              {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
+  const Surface surface = read_surface_input(request.surface);
+  GeodesicsDocument document;
+  {
+    ProgressLine progress;
+    GeodesicsOptions options{.epsilon = parse_epsilon(request.epsilon), .threads = request.threads};
+    options.progress = progress.shower();
+    document = find(surface, options);
+    if (!request.no_certify) document = proved(std::move(document), options.threads, options.progress).document;
+  }
+  Report report = request.no_certify ? Report{"verdict: not certified (--no-certify): nothing is proved\n",
+                                              Json::object({{"verdict", "not certified"}})}
+                                     : verified_report();
+  const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
+  // Of long lists each takes as much memory as the list or more.
+  if (request.json) {
+    report.json.update(geodesics_json(document));
+  } else {
+    report.text += geodesics_text(document);
+  }
+  write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
+}
+
+/// The options that the three commands share.
+void add_common(CLI::App& command, GeodesicsRequest& request) {
+  add_input(command, "SURFACE", request.surface, kSurfaceHelp);
+  add_file(command, "-o,--output", request.output,
+           "the geodesics file to write, for certify; \"-\" is standard output");
+  add_file(command, "--svg", request.svg,
+           "also draw them, in the Dirichlet domain of a point of the first one; \"-\" is standard output");
+  command
+      .add_option("--epsilon", request.epsilon,
+                  "the epsilon of the net from which the search starts; any value gives the same list")
+      ->option_text("E [1]");
+  command.add_flag("--no-certify", request.no_certify, "do not check the list: nothing is proved");
+  add_json(command, request.json);
+  add_threads(command, request.threads);
+}
+
+}  // namespace
+
+Report geodesics_report(const GeodesicsDocument& document) {
+  return {geodesics_text(document), geodesics_json(document)};
+}
+
+void add_systole_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GeodesicsRequest>();
+  CLI::App* command =
+      app.add_subcommand("systole", "The length of a shortest closed geodesic, enclosed and proved, and its word.");
+  add_common(*command, *shared);
+  command->footer("Example:\n  epsnet systole s.json\n  epsnet systole s.json -o systole.json && certify systole.json");
+  command->callback([&chosen, shared] { chosen = [shared] { list_geodesics(*shared, unproved::systole); }; });
+}
+
+void add_spectrum_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GeodesicsRequest>();
+  CLI::App* command = app.add_subcommand(
+      "spectrum",
+      "All primitive closed geodesics up to a length: lengths, words, which are simple; the list is proved complete.");
+  add_common(*command, *shared);
+  command
+      ->add_option("--up-to", shared->up_to,
+                   "a length, a positive decimal or fraction; about e^L/(2L) geodesics, in time proportional to e^L")
+      ->required()
+      ->option_text("L REQUIRED");
+  command->footer(
+      "Example:\n  epsnet spectrum s.json --up-to 6\n  epsnet spectrum s.json --up-to 6 -o spectrum.json && certify "
+      "spectrum.json");
+  command->callback([&chosen, shared] {
+    chosen = [shared] {
+      const Length up_to = parse_length("--up-to", shared->up_to);
+      list_geodesics(*shared, [&](const Surface& surface, const GeodesicsOptions& options) {
+        return unproved::spectrum(surface, up_to, options);
+      });
+    };
+  });
+}
+
+void add_thick_thin_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GeodesicsRequest>();
+  CLI::App* command =
+      app.add_subcommand("thick-thin",
+                         "The small curves, of length at most 2 arsinh 1, their collars, and the pieces "
+                         "into which they cut the surface.");
+  add_common(*command, *shared);
+  command->footer("Example:\n  epsnet thick-thin s.json\n  epsnet thick-thin s.json -o thin.json && certify thin.json");
+  command->callback([&chosen, shared] { chosen = [shared] { list_geodesics(*shared, unproved::thick_thin); }; });
+}
+
+// The command eigenvalues: the first eigenvalues of the Laplacian in intervals, with their proof.
+
+namespace {
+
+using certify::EigenvaluesDocument;
+
+struct EigenvaluesRequest {
+  std::string surface;
+  std::uint32_t count = 0;
+  std::optional<std::string> below;
+  int digits = 0;
+  std::optional<std::string> epsilon;
+  std::string output;
+  std::string svg;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+std::string lambdas_text(std::uint64_t first, std::uint32_t count) {
+  const std::string text = "lambda_" + std::to_string(first);
+  return count == 1 ? text : text + " to lambda_" + std::to_string(first + count - 1);
+}
+
+/// Whether all other eigenvalues are outside of the interval of a row.
+bool is_apart(const EigenvaluesDocument& document, std::size_t row) {
+  const auto& rows = document.eigenvalues;
+  const double next = row + 1 < rows.size() ? rows[row + 1].in.lower : document.next;
+  return rows[row].in.upper < next && (row == 0 || rows[row - 1].in.upper < rows[row].in.lower);
+}
+
+std::string count_text(const EigenvalueCount& count) {
+  if (!count.most) return count.least == 0 ? "not counted" : "at least " + std::to_string(count.least);
+  if (count.least < *count.most) return "from " + std::to_string(count.least) + " to " + std::to_string(*count.most);
+  return count.least == 0 ? "none" : std::to_string(count.least);
+}
+
+Json count_json(const EigenvalueCount& count) {
+  Json result = Json::object({{"least", count.least}, {"most", nullptr}});
+  if (count.most) result["most"] = *count.most;
+  return result;
+}
+
+std::string eigenvalues_text(const EigenvaluesDocument& document) {
+  std::ostringstream out;
+  std::uint64_t first = 1;
+  for (std::size_t row = 0; row < document.eigenvalues.size(); ++row) {
+    const auto& [in, count] = document.eigenvalues[row];
+    out << lambdas_text(first, count) << " in " << to_string(in);
+    if (count > 1) out << ": " << count;
+    if (count == 1 && is_apart(document, row)) out << ", simple";
+    out << '\n';
+    first += count;
+  }
+  out << "all " << (first == 1 ? "" : "others ") << "are at least " << certify::shortest(document.next)
+      << "\neigenvalues in (0, 1/4): " << count_text(eigenvalues_below(document, 0.25)) << '\n';
+  return out.str();
+}
+
+Json eigenvalues_json(const EigenvaluesDocument& document) {
+  Json result = Json::object();
+  result["eigenvalues"] = Json::array();
+  std::uint64_t first = 1;
+  for (const auto& [in, count] : document.eigenvalues) {
+    result["eigenvalues"].push_back(Json::object({{"first", first}, {"count", count}, {"in", interval_json(in)}}));
+    first += count;
+  }
+  result["next"] = document.next;
+  result["below_quarter"] = count_json(eigenvalues_below(document, 0.25));
+  return result;
+}
+
+/// How many eigenvalues are less than the bound that was asked about.
+Report below_report(const EigenvaluesDocument& document, double below) {
+  const EigenvalueCount count = eigenvalues_below(document, below);
+  Json json = count_json(count);
+  json["bound"] = below;
+  return {"eigenvalues in (0, " + certify::shortest(below) + "): " + count_text(count) + '\n',
+          Json::object({{"below", std::move(json)}})};
+}
+
+/// The value of --below.
+double parse_below(const std::string& text) {
+  constexpr double kGreatest = 10'000;
+  const std::optional<double> value = certify::parse_binary64(with_leading_zero(text));
+  if (value && *value > 0 && *value <= kGreatest) return *value;
+  throw UsageError("--below: expected a positive decimal of at most 10000, not " + certify::in_quotes(text));
+}
+
+EigenvaluesOptions options_of(const EigenvaluesRequest& request) {
+  EigenvaluesOptions options{.threads = request.threads};
+  if (request.count > 0) options.count = request.count;
+  if (request.below) options.below = parse_below(*request.below);
+  if (request.digits > 0) options.digits = request.digits;
+  if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
+  return options;
+}
+
+void find_eigenvalues(const EigenvaluesRequest& request) {
+  check_files({{"SURFACE", request.surface}},
+              {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
+  EigenvaluesOptions options = options_of(request);
+  const Surface surface = read_surface_input(request.surface);
+  EigenvaluesDocument document;
+  {
+    ProgressLine progress;
+    options.progress = progress.shower();
+    document = eigenvalues(surface, options).document;
+  }
+  const std::string svg = request.svg.empty() ? "" : draw_svg(picture_of(document));
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
+  Report report = verified_report();
+  const auto add = [&](const Report& more) {
+    report.text += more.text;
+    report.json.update(more.json);
+  };
+  add(eigenvalues_report(document));
+  if (options.below) add(below_report(document, *options.below));
+  write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
+}
+
+}  // namespace
+
+Report eigenvalues_report(const EigenvaluesDocument& document) {
+  return {eigenvalues_text(document), eigenvalues_json(document)};
+}
+
+void add_eigenvalues_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<EigenvaluesRequest>();
+  CLI::App* command = app.add_subcommand("eigenvalues",
+                                         "The first eigenvalues of the Laplacian, with multiplicity, in proved "
+                                         "intervals, and from where on all others are.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  CLI::Option* count = command
+                           ->add_option("--count", shared->count,
+                                        "the first so many, at most 1000, and those that cannot be told apart from the "
+                                        "last one")
+                           ->check(integer_between(1, 1000))
+                           ->option_text("N [10]");
+  command
+      ->add_option(
+          "--below", shared->below,
+          "instead: all eigenvalues less than this number, at most 10000, and how many there are; nothing more "
+          "precise than their number needs, unless --digits is given")
+      ->option_text("X")
+      ->excludes(count);
+  command
+      ->add_option("--digits", shared->digits,
+                   "about so many digits of each eigenvalue, from 1 to 10. Up to 2 take much less time, and more find "
+                   "eigenfunctions, which epsnet draw shows [9; none with --below]")
+      ->check(integer_between(1, 10))
+      ->option_text("D");
+  command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default at most 0.6")
+      ->option_text("E");
+  add_file(*command, "-o,--output", shared->output,
+           "the eigenvalues file to write, for certify; \"-\" is standard output");
+  add_file(*command, "--svg", shared->svg,
+           "also draw the intervals, and how many eigenvalues are below each place; \"-\" is standard output");
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "Example:\n  epsnet eigenvalues s.json\n"
+      "  epsnet eigenvalues s.json --count 30 --digits 6 -o e.json && certify e.json\n"
+      "  epsnet eigenvalues s.json --below 0.25\n"
+      "  epsnet draw e.json --eigenfunction 3 -o e3.svg");
+  command->callback([&chosen, shared] { chosen = [shared] { find_eigenvalues(*shared); }; });
+}
+
+}  // namespace epsnet::program
