@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "certify/base/text.h"
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/arithmetic_parser.h"
 #include "netgen/surfaces/triangle_group.h"
 
 namespace epsnet {
@@ -30,84 +30,50 @@ mpz_class coefficient(const certify::Polynomial& x, slong power) {
   return result.value();
 }
 
-class RingNumberParser {
+class RingNumberParser : public ArithmeticParser<RingNumber> {
  public:
   RingNumberParser(std::string_view text, const TriangleGroup& group)
-      : text_(text), group_(group), order_(group.ring().order()) {}
-
-  RingNumber read() {
-    RingNumber result = sum();
-    if (at_ != text_.size()) fail("an operator");
-    return result;
-  }
+      : ArithmeticParser(text), group_(group), order_(group.ring().order()) {}
 
  private:
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw SurfaceError(certify::in_quotes(text_) + ": expected " + expected + " at character " +
-                       std::to_string(at_ + 1));
-  }
   [[noreturn]] void not_there(const std::string& number) const {
     throw SurfaceError(number + " is not a number of these tiles: of cosines they have those of multiples of 2*pi/" +
                        std::to_string(order_) +
                        ", of roots those of rational numbers that are sums of such cosines, and s");
   }
 
-  bool take(std::string_view token) {
-    if (!text_.substr(at_).starts_with(token)) return false;
-    at_ += token.size();
-    return true;
+  RingNumber constant(const mpq_class& x) override {
+    return {certify::regular_number(group_.ring(), certify::Gaussian{x.get_num(), 0}), x.get_den(), rounded<Number>(x)};
   }
-  void expect(std::string_view token) {
-    if (!take(token)) fail("'" + std::string(token) + "'");
+  RingNumber negative(RingNumber x) override {
+    return {mpz_class(-1) * x.numerator, std::move(x.denominator), -x.rounded};
   }
+  RingNumber sum(RingNumber x, const RingNumber& y) override {
+    return {y.denominator * x.numerator + x.denominator * y.numerator, x.denominator * y.denominator,
+            x.rounded + y.rounded};
+  }
+  RingNumber product(const RingNumber& x, const RingNumber& y) override {
+    return {x.numerator * y.numerator, x.denominator * y.denominator, x.rounded * y.rounded};
+  }
+  RingNumber quotient(const RingNumber& x, const RingNumber& y) override {
+    const auto divisor = rational_numerator(y);
+    if (!divisor || *divisor == 0) fail("a rational number other than 0 before this");
+    return {mpz_class(sgn(*divisor) * y.denominator) * x.numerator, x.denominator * abs(*divisor),
+            x.rounded / y.rounded};
+  }
+  std::string expected_number() const override { return "a number, sqrt(x), cos(a*pi/b), sin(a*pi/b) or s"; }
 
-  std::string_view digits() {
-    const std::size_t first = at_;
-    while (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
-      ++at_;
-    return text_.substr(first, at_ - first);
-  }
-
-  std::int64_t integer() {
-    constexpr std::size_t kMostDigits = 9;
-    const std::string_view found = digits();
-    if (found.empty() || found.size() > kMostDigits || found.find('.') != std::string_view::npos) {
-      fail("an integer of at most nine digits");
+  std::optional<RingNumber> named_number() override {
+    const std::size_t first = place();
+    if (take("cos(")) return cosine(angle(), first);
+    if (take("sin(")) return cosine(mpq_class(1, 2) - angle(), first);
+    if (take("sqrt(")) {
+      const RingNumber square = sum_of_products();
+      expect(")");
+      return root(square, text_from(first));
     }
-    return std::stoll(std::string(found));
-  }
-
-  RingNumber sum() {
-    RingNumber result = product();
-    while (at_ < text_.size()) {
-      const bool minus = text_[at_] == '-';
-      if (!minus && text_[at_] != '+') break;
-      ++at_;
-      RingNumber other = product();
-      if (minus) other = negative(std::move(other));
-      result = {other.denominator * result.numerator + result.denominator * other.numerator,
-                result.denominator * other.denominator, result.rounded + other.rounded};
-    }
-    return result;
-  }
-
-  RingNumber product() {
-    RingNumber result = factor();
-    while (true) {
-      if (take("*")) {
-        const RingNumber other = factor();
-        result = {result.numerator * other.numerator, result.denominator * other.denominator,
-                  result.rounded * other.rounded};
-      } else if (take("/")) {
-        const RingNumber other = factor();
-        const auto divisor = rational_numerator(other);
-        if (!divisor || *divisor == 0) fail("a rational number other than 0 before this");
-        result = {mpz_class(sgn(*divisor) * other.denominator) * result.numerator, result.denominator * abs(*divisor),
-                  result.rounded / other.rounded};
-      } else {
-        return result;
-      }
-    }
+    if (take("s")) return RingNumber{s_number(), 1, group_.s()};
+    return std::nullopt;
   }
 
   /// Of a number that is written as a rational one.
@@ -117,64 +83,14 @@ class RingNumberParser {
     return coefficient(u, 0);
   }
 
-  RingNumber factor() {
-    constexpr int kMostDepth = 100;
-    if (++depth_ > kMostDepth) fail("fewer parentheses, or signs before a number,");
-    RingNumber result = factor_at_depth();
-    --depth_;
-    return result;
-  }
-
-  RingNumber factor_at_depth() {
-    if (take("-")) return negative(factor());
-    if (take("(")) {
-      RingNumber result = sum();
-      expect(")");
-      return result;
-    }
-    if (take("cos(")) return cosine(false);
-    if (take("sin(")) return cosine(true);
-    if (take("sqrt(")) {
-      const std::size_t first = at_;
-      const RingNumber square = sum();
-      RingNumber result = root(square, "sqrt(" + std::string(text_.substr(first, at_ - first)) + ")");
-      expect(")");
-      return result;
-    }
-    if (take("s")) return {s_number(), 1, group_.s()};
-    const std::size_t first = at_;
-    const auto value = certify::parse_decimal(digits());
-    if (!value) {
-      at_ = first;
-      fail("a number, sqrt(x), cos(a*pi/b), sin(a*pi/b) or s");
-    }
-    return {certify::regular_number(group_.ring(), certify::Gaussian{value->get_num(), 0}), value->get_den(),
-            rounded<Number>(*value)};
-  }
-
-  static RingNumber negative(RingNumber x) {
-    return {mpz_class(-1) * x.numerator, std::move(x.denominator), -x.rounded};
-  }
-
-  /// The cosine of a multiple of π, or the sine, after its parenthesis.
-  RingNumber cosine(bool is_sine) {
-    const std::size_t first = at_;
-    const std::int64_t sign = take("-") ? -1 : 1;
-    std::int64_t times = 1;
-    if (!take("pi")) {
-      times = integer();
-      expect("*");
-      expect("pi");
-    }
-    const std::int64_t by = take("/") ? integer() : 1;
-    if (by == 0) fail("a number other than 0 before this");
-    const std::string angle(text_.substr(first, at_ - first));
-    expect(")");
+  /// The cosine of a multiple of π, which begins at a character.
+  RingNumber cosine(const mpq_class& times_pi, std::size_t first) {
     // ζ to this power is e^{iangle}.
-    if (times * order_ % (2 * by) != 0) not_there((is_sine ? "sin(" : "cos(") + angle + ")");
-    std::int64_t power = sign * (times * order_ / (2 * by));
-    if (is_sine) power = order_ / 4 - power;
-    power %= order_;
+    mpq_class exponent = times_pi * gmp_integer(order_) / 2;
+    exponent.canonicalize();
+    if (exponent.get_den() != 1) not_there(text_from(first));
+    const mpz_class reduced = exponent.get_num() % gmp_integer(order_);
+    const auto power = static_cast<std::int64_t>(reduced.get_si());
     return {certify::regular_number(group_.ring(), std::array{PowerOfZeta{1, power}, PowerOfZeta{1, -power}}, {}), 2,
             cos(Number(2 * boost::math::constants::pi<Number>() * power / order_))};
   }
@@ -235,11 +151,8 @@ class RingNumberParser {
     return {std::move(result), 1, sqrt(Number(n))};
   }
 
-  std::string_view text_;
   const TriangleGroup& group_;
   std::int64_t order_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
 };
 
 /// The coefficients of cos(2πk/n) in a real number's real part, k from 0 to n/4.

@@ -118,7 +118,7 @@ struct MatrixGenerators {
   std::vector<Isometry<Rational>> generators;
   /// k + 1 is generator k, −(k + 1) its inverse; their product in this order is 1. Empty, if none was given.
   std::vector<std::int32_t> relation;
-  /// The significant digits of the number that has the fewest of them, if there are decimals: the numbers are rounded.
+  /// The significant digits of the number that has the most of them, if there are decimals: the numbers are rounded.
   std::optional<unsigned> digits;
   /// If it is there, the numbers are exact ones of the ring of these tiles (docs/matrices.md).
   std::optional<RegularTile> tile;

@@ -690,6 +690,13 @@ MatrixSurface surface_near(const MatrixGenerators& matrices, const std::vector<E
                         "could not decide: the entries have " + std::to_string(digits) + " digits; about " +
                             std::to_string(digits + static_cast<unsigned>(std::max(missing, 2.0))) + " are needed" +
                             (coarse.element != 0 ? ", or a relation of the generators" : ""));
+  } catch (const MatricesError& error) {
+    // Of a surface with short geodesics, or seen from afar, few digits may say anything.
+    constexpr unsigned kEnough = 12;
+    if (digits >= kEnough || error.kind() == Kind::relation) throw;
+    throw MatricesError(Kind::undecided, "could not decide: " + std::string(error.what()) + "; the entries have " +
+                                             std::to_string(digits) + " digits; about " + std::to_string(kEnough) +
+                                             " are needed to be sure");
   }
 }
 

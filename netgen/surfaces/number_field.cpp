@@ -6,14 +6,13 @@
 #include <arb_fmpz_poly.h>
 #endif
 #include <algorithm>
-#include <cctype>
 #include <flint/fmpq_mat.h>
 #include <flint/fmpz_poly_factor.h>
 #include <optional>
 #include <string>
 
-#include "certify/base/text.h"
 #include "certify/numbers/field_number.h"
+#include "netgen/surfaces/arithmetic_parser.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -184,137 +183,44 @@ RationalPolynomial expressed(const RationalPolynomial& x, const RationalPolynomi
 struct Adjoined {};
 
 /// Reads one number, and has its reader adjoin what is missing.
-class NumberFieldParser {
+class NumberFieldParser : public ArithmeticParser<RationalPolynomial> {
  public:
-  NumberFieldParser(std::string_view text, NumberFieldReader& reader) : text_(text), reader_(reader) {}
-
-  RationalPolynomial read() {
-    RationalPolynomial result = sum_of_products();
-    if (at_ != text_.size()) fail("an operator");
-    return result;
-  }
+  NumberFieldParser(std::string_view text, NumberFieldReader& reader) : ArithmeticParser(text), reader_(reader) {}
 
  private:
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw SurfaceError(certify::in_quotes(text_) + ": expected " + expected + " at character " +
-                       std::to_string(at_ + 1));
+  RationalPolynomial constant(const mpq_class& x) override { return epsnet::constant(x); }
+  RationalPolynomial negative(RationalPolynomial x) override { return epsnet::negative(std::move(x)); }
+  RationalPolynomial sum(RationalPolynomial x, const RationalPolynomial& y) override {
+    return epsnet::sum(std::move(x), y);
   }
-
-  [[nodiscard]] char next() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-    return at_ < text_.size() ? text_[at_] : '\0';
-  }
-  bool take(std::string_view token) {
-    (void)next();
-    if (!text_.substr(at_).starts_with(token)) return false;
-    at_ += token.size();
-    return true;
-  }
-  void expect(std::string_view token) {
-    if (!take(token)) fail("'" + std::string(token) + "'");
-  }
-
   /// In a polynomial x is a variable, and nothing is reduced.
-  [[nodiscard]] RationalPolynomial times(const RationalPolynomial& x, const RationalPolynomial& y) const {
+  RationalPolynomial product(const RationalPolynomial& x, const RationalPolynomial& y) override {
     return in_polynomial_ ? product_of(x, y) : reader_.product(x, y);
   }
-
-  mpq_class decimal() {
-    (void)next();
-    const std::size_t first = at_;
-    while (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
-      ++at_;
-    constexpr std::size_t kMostDigits = 10'000;
-    const auto value =
-        at_ - first > kMostDigits ? std::nullopt : certify::parse_decimal(text_.substr(first, at_ - first));
-    if (!value) {
-      at_ = first;
-      fail(in_polynomial_ ? "a number or x" : "a number, sqrt(x), root(f,r), cos(a*pi/b) or sin(a*pi/b)");
-    }
-    return *value;
+  RationalPolynomial quotient(const RationalPolynomial& x, const RationalPolynomial& y) override {
+    if (is_zero(y)) fail("a number other than 0 before this");
+    if (!in_polynomial_) return reader_.quotient(x, y);
+    if (!is_constant(y)) fail("a number before this");
+    return product_of(x, epsnet::constant(1 / coefficient(y, 0)));
+  }
+  std::string expected_number() const override {
+    return in_polynomial_ ? "a number or x" : "a number, sqrt(x), root(f,r), cos(a*pi/b) or sin(a*pi/b)";
   }
 
-  std::int64_t integer() {
-    const mpq_class value = decimal();
-    constexpr long kGreatest = 1'000'000;
-    if (value.get_den() != 1 || value > kGreatest) fail("an integer of at most a million before this");
-    return value.get_num().get_si();
-  }
-
-  RationalPolynomial sum_of_products() {
-    RationalPolynomial result = product();
-    while (true) {
-      if (take("+")) {
-        result = sum(std::move(result), product());
-      } else if (take("-")) {
-        result = sum(std::move(result), negative(product()));
-      } else {
-        return result;
-      }
-    }
-  }
-
-  RationalPolynomial product() {
-    RationalPolynomial result = power();
-    while (true) {
-      if (take("*")) {
-        result = times(result, power());
-      } else if (take("/")) {
-        const RationalPolynomial divisor = power();
-        if (is_zero(divisor)) fail("a number other than 0 before this");
-        if (in_polynomial_ && !is_constant(divisor)) fail("a number before this");
-        result = in_polynomial_ ? product_of(result, constant(1 / coefficient(divisor, 0)))
-                                : reader_.quotient(result, divisor);
-      } else {
-        return result;
-      }
-    }
-  }
-
-  RationalPolynomial power() {
-    RationalPolynomial base = factor();
-    if (!take("^")) return base;
-    constexpr std::int64_t kGreatestPower = 64;
-    const std::int64_t exponent = integer();
-    if (exponent > kGreatestPower) fail("a power of at most " + std::to_string(kGreatestPower) + " before this");
-    RationalPolynomial result = constant(1);
-    for (std::int64_t i = 0; i < exponent; ++i) result = times(result, base);
-    return result;
-  }
-
-  RationalPolynomial factor() {
-    constexpr int kMostDepth = 100;
-    if (++depth_ > kMostDepth) fail("fewer parentheses, or signs before a number,");
-    RationalPolynomial result = factor_at_depth();
-    --depth_;
-    return result;
-  }
-
-  RationalPolynomial factor_at_depth() {
-    if (take("-")) return negative(factor());
-    if (take("(")) {
-      RationalPolynomial result = sum_of_products();
-      expect(")");
-      return result;
-    }
+  std::optional<RationalPolynomial> named_number() override {
     if (in_polynomial_) {
-      if (!take("x")) return constant(decimal());
+      if (!take("x")) return std::nullopt;
       RationalPolynomial x;
       fmpq_poly_set_coeff_si(x.get(), 1, 1);
       return x;
     }
-    const std::size_t first = at_;
-    for (const auto& [name, read] :
-         {std::pair{"sqrt(", &NumberFieldParser::root_of_number},
-          std::pair{"root(", &NumberFieldParser::root_of_polynomial}, std::pair{"cos(", &NumberFieldParser::cosine},
-          std::pair{"sin(", &NumberFieldParser::sine}}) {
-      if (take(name)) return (this->*read)(first);
-    }
-    return constant(decimal());
+    const std::size_t first = place();
+    if (take("sqrt(")) return root_of_number(first);
+    if (take("root(")) return root_of_polynomial(first);
+    if (take("cos(")) return cosine_of(angle());
+    if (take("sin(")) return cosine_of(mpq_class(1, 2) - angle());
+    return std::nullopt;
   }
-
-  /// What begins at a character and ends here.
-  [[nodiscard]] std::string text_from(std::size_t first) const { return std::string(text_.substr(first, at_ - first)); }
 
   /// The number with this name. Throws Adjoined after it was adjoined, if it is not known.
   RationalPolynomial named(const std::string& name, const std::vector<RationalPolynomial>& polynomial,
@@ -370,27 +276,7 @@ class NumberFieldParser {
     const slong degree = fmpz_poly_degree(f.get());
     std::vector<RationalPolynomial> result;
     for (slong i = 0; i < degree; ++i)
-      result.push_back(constant(coefficient(rational, i) / coefficient(rational, degree)));
-    return result;
-  }
-
-  RationalPolynomial cosine(std::size_t) { return cosine_of(angle()); }
-  RationalPolynomial sine(std::size_t) { return cosine_of(mpq_class(1, 2) - angle()); }
-
-  /// a/b of "a*pi/b)".
-  mpq_class angle() {
-    const int sign = take("-") ? -1 : 1;
-    std::int64_t times = 1;
-    if (!take("pi")) {
-      times = integer();
-      expect("*");
-      expect("pi");
-    }
-    const std::int64_t by = take("/") ? integer() : 1;
-    if (by == 0) fail("a number other than 0 before this");
-    expect(")");
-    mpq_class result(mpz_class(static_cast<long>(sign * times)), mpz_class(static_cast<long>(by)));
-    result.canonicalize();
+      result.push_back(epsnet::constant(coefficient(rational, i) / coefficient(rational, degree)));
     return result;
   }
 
@@ -407,13 +293,10 @@ class NumberFieldParser {
     fmpq_set_mpq(angle.get(), times_pi.get_mpq_t());
     certify::Ball value;
     arb_cos_pi_fmpq(value.get(), angle.get(), kValueBits);
-    return product_of(constant(mpq_class(1, 2)), named("cos " + turns.get_str(), monic(f), twice(value)));
+    return product_of(epsnet::constant(mpq_class(1, 2)), named("cos " + turns.get_str(), monic(f), twice(value)));
   }
 
-  std::string_view text_;
   NumberFieldReader& reader_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
   bool in_polynomial_ = false;
 };
 

@@ -167,6 +167,7 @@ class Surface(Drawn, Immutable):
         *,
         model: str = "sl2r",
         tiles: Union[tuple[int, int], Sequence[int], None] = None,
+        algebra: Optional[Sequence[Any]] = None,
     ) -> "Surface":
         """The surface of the group that matrices generate (docs/matrices.md).
 
@@ -175,7 +176,8 @@ class Surface(Drawn, Immutable):
         Floats and decimals are rounded numbers: unless they fulfil the relations of the group exactly, the surface is a rational one nearest to
         them, and ``about`` says how far it is. Texts such as ``"(1+sqrt(2))/2"``, ``"cos(pi/7)"`` and ``"root(x^3-x-1,1.3)"`` are exact numbers of
         a real number field, and so is the surface. With ``tiles``, the pair (p, q), the numbers are those of maps of this type, as
-        ``"s*cos(pi/7)"``. ``relation``: ``"abAB"`` or ``[1, 2, -1, -2]``, a product that is 1; it is checked.
+        ``"s*cos(pi/7)"``. With ``algebra``, a pair (a, b), the generators are quaternions x + yi + zj + wij, i² = a, j² = b, as ((x, y), (z, w)).
+        ``relation``: ``"abAB"`` or ``[1, 2, -1, -2]``, a product that is 1; it is checked.
         Raises SurfaceError, with the element that shows it, for groups that are not discrete, not cocompact, or have torsion.
 
         >>> import epsnet
@@ -184,6 +186,11 @@ class Surface(Drawn, Immutable):
         >>> same = epsnet.Surface.from_matrices(matrices["generators"], matrices["relation"])
         >>> bool(surface.isometric_to(same))
         True
+        >>> units = [((2.5, -0.5), (-1, 0)), ((2.5, -0.5), (1, 0)), ((1.5, -0.5), (-1.5, -0.5)), ((1.5, -0.5), (-1.5, 0.5)),
+        ...          ((1.5, -0.5), (1.5, -0.5)), ((1.5, -0.5), (1.5, 0.5)), ((3, 0), (-2, 0))]
+        >>> shimura = epsnet.Surface.from_matrices(units, algebra=(13, 2))
+        >>> shimura.genus, len(shimura.isometries())
+        (2, 8)
         >>> matrices = epsnet.Surface.named("klein").matrices()
         >>> epsnet.Surface.from_matrices(matrices["generators"], matrices["relation"], tiles=matrices["tiles"]).genus
         3
@@ -198,6 +205,8 @@ class Surface(Drawn, Immutable):
             text["relation"] = letters
         if tiles is not None:
             text["tiles"] = as_indices(tiles, "tiles")
+        if algebra is not None:
+            text["algebra"] = [_matrix_text(x) for x in as_items(algebra, "algebra", "two numbers")]
         return cls._of(_epsnet.Surface.from_matrices(json.dumps(text)))
 
     @classmethod

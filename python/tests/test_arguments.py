@@ -81,7 +81,7 @@ def calls(octagon, net, bolza):
         (octagon.random_sheets, dict(degree=2, seed=1)),
         (Surface.fenchel_nielsen, dict(lengths=1, twists=0, graph="chain", genus=2, seed=1)),
         (Surface.from_matrices, dict(generators=matrices["generators"], relation=matrices["relation"], model="sl2r", tiles=matrices["tiles"])),
-        (octagon.matrices, dict(model="su11")),
+        (Surface.from_matrices, dict(generators=[((2, 0), (1, 0))], algebra=(13, 2))), (octagon.matrices, dict(model="su11")),
         (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (pants.fenchel_nielsen, dict(twists=0)), (pants.svg, dict(size=100)),
         (octagon.dehn_twist, dict(curve=curve, power=1)), (octagon.dehn_twist_words, dict(curve=curve, power=1)),
         (octagon.twist, dict(curve=curve, by=1)),

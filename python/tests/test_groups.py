@@ -327,6 +327,19 @@ def test_matrices_of_a_map_are_exact():
         Surface.from_matrices([[["sqrt(2)", 0], [0, 1]]], tiles=(7, 3))
 
 
+def test_matrices_over_a_number_field_are_exact():
+    root = "sqrt(2+2*sqrt(2))"
+    rows = [[["1+sqrt(2)", 0], [f"{root}*{x}", f"{root}*{y}"]]
+            for x, y in [("1", "0"), ("cos(pi/4)", "sin(pi/4)"), ("0", "1"), ("-cos(pi/4)", "sin(pi/4)")]]
+    bolza = Surface.from_matrices(rows, model="su11")
+    assert len(bolza.isometries()) == 96 and bolza.net("0.5").certificate
+    assert bolza.isometric_to(Surface.from_matrices(bolza.matrices()["generators"]))
+    with pytest.raises(epsnet.SurfaceError, match="algebra: .* expected a positive number"):
+        Surface.from_matrices([[[1, 0], [0, 0]]], algebra=(-1, -3))
+    with pytest.raises(epsnet.SurfaceError, match="the entries have 3 digits; about"):
+        Surface.from_matrices([[[round(float(x), 2) for x in row] for row in m] for m in Surface.named("klein").matrices()["rounded"]])
+
+
 def test_floats_mean_the_nearest_surface(octagon):
     rounded = [[[round(float(x), 9) for x in row] for row in m] for m in octagon.matrices()["rounded"]]
     near = Surface.from_matrices(rounded)

@@ -141,7 +141,7 @@ TEST(Reader, RegularSurfacesThatAreNoneAreMalformed) {
   EXPECT_EQ(surface_complaint(R"({"kind": "tiles", "tiles": [], "gluing": [], "genus": 2})"),
             "test: surface: unknown member \"genus\" in a surface of the kind \"tiles\"");
   EXPECT_EQ(surface_complaint(R"({"kind": "round"})"),
-            "test: surface: \"kind\" is \"round\", expected \"tiles\", \"regular\" or \"map\"");
+            "test: surface: \"kind\" is \"round\", expected \"tiles\", \"regular\", \"map\" or \"field\"");
 }
 
 TEST(Reader, MembersComeInAnyOrderAndRationalsNeedNotBeReduced) {

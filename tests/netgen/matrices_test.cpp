@@ -226,6 +226,7 @@ TEST(Matrices, ThatGenerateNoGroupOfAClosedSurfaceAreRefusedWithEvidence) {
       {"2 0 0 1/2", Kind::not_compact, "infinite area"},
       {"1 0 0 1", Kind::not_compact, "infinite area"},
       {"3.1 0 0 0.3225806451612903\n1.7 1.374772708 1.374772708 1.7", Kind::not_compact, "infinite area"},
+      {"3.1 0 0 0.32258\n1.7 1.37477 1.37477 1.7", Kind::undecided, "infinite area"},
       {"2 0 0 1/2\n5/3 4/3 4/3 5/3\nrelation abAB", Kind::relation, "the relation abAB does not hold"},
   };
   for (const auto& [text, kind, message] : cases) {
@@ -263,7 +264,7 @@ TEST(Matrices, TextsThatAreWrongAreRefused) {
       {"", "the text is empty"},
       {"{}", "no generators found"},
       {"1 2 3", "line 1: 3 words found, expected the four numbers"},
-      {"1 2 3 nan", "line 1: \"nan\" found, expected an integer, a fraction or a decimal"},
+      {"1 2 3 nan", "line 1: \"nan\" found, expected an integer, a fraction, a decimal, or a number with sqrt(x)"},
       {"1 2 3 1/0", "\"1/0\" found"},
       {"1 0 0 1e99999", "line 1: "},
       {"1 2 3 4", "generator 1: the determinant is not positive"},
