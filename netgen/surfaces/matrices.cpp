@@ -685,7 +685,7 @@ MatrixSurface surface_near(const MatrixGenerators& matrices, const std::vector<E
     maker.approach(std::move(targets), kDigitsOfSolution);
     return maker.make();
   } catch (const CoarseNumbers& coarse) {
-    const double missing = std::ceil(std::log10(coarse.error) + 3);
+    const double missing = std::ceil(std::log10(coarse.error) + 4);
     throw MatricesError(Kind::undecided,
                         "could not decide: the entries have " + std::to_string(digits) + " digits; about " +
                             std::to_string(digits + static_cast<unsigned>(std::max(missing, 2.0))) + " are needed" +

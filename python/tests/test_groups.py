@@ -336,7 +336,7 @@ def test_matrices_over_a_number_field_are_exact():
     assert bolza.isometric_to(Surface.from_matrices(bolza.matrices()["generators"]))
     with pytest.raises(epsnet.SurfaceError, match="algebra: .* expected a positive number"):
         Surface.from_matrices([[[1, 0], [0, 0]]], algebra=(-1, -3))
-    with pytest.raises(epsnet.SurfaceError, match="the entries have 3 digits; about"):
+    with pytest.raises(epsnet.SurfaceError, match="the entries have 4 digits; about"):
         Surface.from_matrices([[[round(float(x), 2) for x in row] for row in m] for m in Surface.named("klein").matrices()["rounded"]])
 
 
