@@ -176,6 +176,7 @@ let not_for_this_checker = function
           match List.assoc_opt "kind" surface with
           | Some (String "regular") -> Some "a regular surface"
           | Some (String "map") -> Some "a map of regular tiles"
+          | Some (String "field") -> Some "a surface over a number field"
           | _ -> None)
         | _ -> None)
     | _ -> fail "unexpected value for the format")

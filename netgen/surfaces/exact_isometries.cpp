@@ -155,12 +155,6 @@ EnclosedIsometry enclosed_isometry(const Surface& surface, const Word& word, uns
   }
 }
 
-namespace {
-
-constexpr std::size_t kMostBitsOfProduct = std::size_t{1} << 24;
-
-}  // namespace
-
 certify::ExactIsometry integral(const Isometry<Rational>& f) {
   const mpq_class parts[] = {to_gmp(f.a.x), to_gmp(f.a.y), to_gmp(f.b.x), to_gmp(f.b.y)};
   mpz_class scale = 1;
