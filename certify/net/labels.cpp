@@ -291,13 +291,13 @@ std::vector<BallIsometry> LabelEvaluator::multiplied(std::span<const std::uint32
   for_each_parallel(charts.size(), threads,
                     [&](unsigned, std::size_t k) { frames[k] = to_balls(parts_.frames[charts[k]], precision); });
   for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
-    const auto& [from, to, word] = label_at(numbers[i]);
+    const auto& [from, to, path] = label_at(numbers[i]);
     const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, precision); };
-    const auto crossing = [&, &word = word](std::size_t k) -> const BallIsometry& {
-      return crossings[place_of(word[k], sides)];
+    const auto crossing = [&, &path = path](std::size_t k) -> const BallIsometry& {
+      return crossings[place_of(path[k], sides)];
     };
     results[i] = frames[place_of(from, charts)];
-    if (!word.empty()) results[i] = composed(compose_range(0, word.size(), crossing, composed), results[i]);
+    if (!path.empty()) results[i] = composed(compose_range(0, path.size(), crossing, composed), results[i]);
     results[i] = composed(inverse(frames[place_of(to, charts)]), results[i]);
   });
   return results;

@@ -157,7 +157,7 @@ class RationalTiles {
       factors.push_back(&crossings_[s]);
       path_bits += bits(crossings_[s]);
     }
-    budget_.spend(8 * product_work(path_bits), std::bit_width(path.size()));
+    budget_.spend(8 * product_work(path_bits), static_cast<std::uint64_t>(std::bit_width(path.size())));
     return is_identity(compose_path(factors));
   }
   [[nodiscard]] Ball angle(std::size_t s) const { return interior_angle(start(s), end(s), start(sides_.previous[s])); }

@@ -18,7 +18,8 @@ constexpr slong kFirstRootBits = 64;
 /// Of products in a field, the sum of whose coefficients is taken at once.
 std::uint64_t length_work(const Polynomial& x, const Polynomial& y) {
   const auto longer = static_cast<std::uint64_t>(std::max(fmpz_poly_length(x.get()), fmpz_poly_length(y.get())));
-  const std::uint64_t bits = bits_of_coefficients(x) + bits_of_coefficients(y) + std::bit_width(longer);
+  const std::uint64_t bits =
+      bits_of_coefficients(x) + bits_of_coefficients(y) + static_cast<std::uint64_t>(std::bit_width(longer));
   return product_work(2 * longer * bits) + 8 * longer;
 }
 

@@ -30,7 +30,8 @@ Polynomial product(const RegularRing& ring, const Polynomial& x, const Polynomia
   if (fmpz_poly_is_zero(x.get()) || fmpz_poly_is_one(y.get())) return x;
   if (fmpz_poly_is_zero(y.get())) return y;
   const auto length = static_cast<std::uint64_t>(std::min(fmpz_poly_length(x.get()), fmpz_poly_length(y.get())));
-  const std::uint64_t bits = bits_of_coefficients(x) + bits_of_coefficients(y) + std::bit_width(length);
+  const std::uint64_t bits =
+      bits_of_coefficients(x) + bits_of_coefficients(y) + static_cast<std::uint64_t>(std::bit_width(length));
   const auto longer = static_cast<std::uint64_t>(std::max(fmpz_poly_length(x.get()), fmpz_poly_length(y.get())));
   ring.budget().spend(product_work(longer * bits) + 4 * longer);
   fmpz_poly_mul(result.get(), x.get(), y.get());

@@ -206,7 +206,9 @@ class Paths {
           budget_.spend(Kind::exact_work(bits));
           if constexpr (std::is_same_v<Kind, RegularCrossings>) {
             // Numbers of the ring take off their own work, which for small coefficients is mostly that of moving them.
-            budget_.spend(std::uint64_t{20} * kind.ring().order() * std::bit_width(word.size()), word.size());
+            budget_.spend(
+                std::uint64_t{20} * kind.ring().order() * static_cast<std::uint64_t>(std::bit_width(word.size())),
+                word.size());
           }
           return question(kind.exact(word));
         },
