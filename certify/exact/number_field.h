@@ -15,7 +15,8 @@ using Polynomial = Integers;
 
 /// ℤ[α] for the one root α of a polynomial f in an interval. f need not be irreducible.
 class NumberField {
- public:  /// Half a minute of work with the field and its numbers, and what a triangle of a net may take besides.
+ public:
+  /// Half a minute of work with the field and its numbers, and what a triangle of a net may take besides.
   static constexpr std::size_t kUsualWork = std::size_t{1} << 36;
   static constexpr std::size_t kWorkOfATriangle = std::size_t{1} << 21;
 
@@ -48,8 +49,8 @@ class NumberField {
   void refine() const;
   /// 2^bits times 1, α, α², ….
   [[nodiscard]] const std::vector<Approximation>& powers(mp_bitcnt_t bits) const;
-  [[nodiscard]] bool excludes_zero(
-      const Polynomial& x, mp_bitcnt_t bits) const;  /// Takes so much from the work that is left. Throws TooLarge.
+  [[nodiscard]] bool excludes_zero(const Polynomial& x, mp_bitcnt_t bits) const;
+  /// Takes so much from the work that is left. Throws TooLarge.
   void spend(std::size_t work) const;
 
   Polynomial f_;
