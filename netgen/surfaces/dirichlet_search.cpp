@@ -125,6 +125,11 @@ void DirichletSearch::reduce_pending() {
         examine_(x);
         add(x);
         make_hull();
+        // Where numbers are coarse, some sides may take each other's place for ever.
+        constexpr int kMostInVain = 1000;
+        in_vain_ = products_.size() == products_before_ ? in_vain_ + 1 : 0;
+        products_before_ = products_.size();
+        if (in_vain_ > kMostInVain) throw CoarseNumbers{x, products_.error(x)};
         break;
       }
       if (products_.size() > kMostElements) return;

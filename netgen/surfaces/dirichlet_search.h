@@ -83,6 +83,8 @@ class DirichletSearch {
   std::vector<Id> ids_;
   std::vector<std::uint32_t> partner_;
   Id element_ = 0;
+  int in_vain_ = 0;  ///< How often a side was added since there was a new product.
+  std::size_t products_before_ = 0;
 };
 
 }  // namespace epsnet

@@ -393,7 +393,7 @@ class Maker {
       ExactProducts<Number> exactly(products, generators_);
       const Examiner<Number> examine(products, exactly, exact_, tolerance_);
       DirichletSearch search(products, tolerance_, examine);
-      switch (search.run()) {
+      switch (end_of(search)) {
         case DirichletSearch::End::compact:
           if constexpr (std::is_same_v<Groups, RationalGroups>) {
             if (!exact_) return nearest_surface(products, search, base);
@@ -427,6 +427,16 @@ class Maker {
 
  private:
   static constexpr double kTiny = 1e-40;
+
+  /// Exact numbers are not coarse: the search came to nothing.
+  [[nodiscard]] DirichletSearch::End end_of(DirichletSearch& search) const {
+    try {
+      return search.run();
+    } catch (const CoarseNumbers&) {
+      if (!exact_) throw;
+      return DirichletSearch::End::limit;
+    }
+  }
 
   void set_digits(unsigned digits) {
     constexpr unsigned kFewest = 4;
@@ -685,7 +695,7 @@ MatrixSurface surface_near(const MatrixGenerators& matrices, const std::vector<E
     maker.approach(std::move(targets), kDigitsOfSolution);
     return maker.make();
   } catch (const CoarseNumbers& coarse) {
-    const double missing = std::ceil(std::log10(coarse.error) + 4);
+    const double missing = std::ceil(std::log10(std::max(coarse.error, 1e-9)) + 4);
     throw MatricesError(Kind::undecided,
                         "could not decide: the entries have " + std::to_string(digits) + " digits; about " +
                             std::to_string(digits + static_cast<unsigned>(std::max(missing, 2.0))) + " are needed" +

@@ -162,7 +162,7 @@ std::vector<Isometry<Mp256>> generators_of(const Surface& surface) {
 
 TEST(Matrices, OfFewDecimalsMeanTheSurfaceOrNeedMore) {
   const std::vector<Surface> surfaces{named_surface("bolza"), named_surface("klein"), random_octagon(5),
-                                      random_octagon(123), Surface::regular(3)};
+                                      random_octagon(123),    Surface::regular(3),    pants_surface(2)};
   for (const Surface& surface : surfaces) {
     const std::vector<Isometry<Mp256>> generators = generators_of(surface);
     int found = 0;
