@@ -38,12 +38,12 @@ struct SurfaceDocument {
     /// Vectors of Minkowski space, up to positive factors.
     using Polygon = std::vector<std::array<FieldNumber, 3>>;
 
-    std::vector<mpz_class>
-        polynomial;                 ///< Of α, from the coefficient of 1 on; the last one is 1. Empty: there is none.
+    /// Of α, from the coefficient of 1 on; the last one is 1. Empty: there is no field.
+    std::vector<mpz_class> polynomial;
     std::array<mpq_class, 2> root;  ///< α is the root between these two.
     std::vector<Polygon> polygons;
-    std::vector<std::array<FieldNumber, 4>>
-        crossings;  ///< By gluing: z ↦ (Az + B)/(B̄z + Ā), by Re A, Im A, Re B, Im B.
+    /// By gluing: z ↦ (Az + B)/(B̄z + Ā), by Re A, Im A, Re B, Im B.
+    std::vector<std::array<FieldNumber, 4>> crossings;
     bool operator==(const Field&) const = default;
   };
 

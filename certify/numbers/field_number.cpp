@@ -15,7 +15,7 @@ namespace {
 /// Of the first enclosure of a root, which bisection finds; Newton's method goes on.
 constexpr slong kFirstRootBits = 64;
 
-/// Of products in a field, the sum of whose coefficients is taken at once.
+/// The work of a product or a remainder of polynomials, which FLINT packs into one integer each.
 std::uint64_t length_work(const Polynomial& x, const Polynomial& y) {
   const auto longer = static_cast<std::uint64_t>(std::max(fmpz_poly_length(x.get()), fmpz_poly_length(y.get())));
   const std::uint64_t bits =
@@ -52,11 +52,7 @@ Ball hull(const mpq_class& lower, const mpq_class& upper) {
 }
 
 /// Whether x is known to within a third of its size.
-bool is_steady(const Ball& x) {
-  Ball least(x);
-  arb_abs(least.get(), x.get());
-  return certainly_positive(least - 3 * abs(x - midpoint(x))) == Tri::yes;
-}
+bool is_steady(const Ball& x) { return certainly_positive(abs(x) - 3 * abs(x - midpoint(x))) == Tri::yes; }
 
 bool is_known_to(const Ball& x, slong bits) { return mag_cmp_2exp_si(arb_radref(x.get()), -bits) <= 0; }
 

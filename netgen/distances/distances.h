@@ -31,7 +31,7 @@ struct DistanceOptions {
 };
 
 /// Returns a vertex of a net of this surface as a point of the tile in which it lies, exactly. Throws NetError if there
-/// is no such vertex. On a regular surface, whose crossings are not rational, it has the coordinates of the tile of its
+/// is no such vertex. Unless the surface `is_rational`, it has the coordinates of the tile of its
 /// chart, and may be beyond a side of that tile.
 [[nodiscard]] BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex);
 

@@ -37,7 +37,7 @@ enum class DrawOrder {
   breadth_first,  ///< By the number of edges crossed: the combinatorial Dirichlet domain (figure IV.10, bottom).
 };
 
-/// Returns the surface with tiles that are listed: regular ones with vertices rounded to 256 bits. For pictures only.
+/// Returns the surface with rational tiles: others with vertices rounded to 256 bits. For pictures only.
 [[nodiscard]] certify::SurfaceDocument with_rounded_tiles(const certify::SurfaceDocument& surface);
 
 /// Returns the first dart d with opposite(d) = d or opposite(opposite(d)) ≠ d; nullopt if there is none. Requires:

@@ -34,8 +34,8 @@ inline constexpr unsigned kMostEnclosureBits = 1U << 20;
 
 /// Returns the isometry of a word, from the coordinates of the tile where the path starts to those of the tile where it
 /// ends. It is the product of the crossings of its letters, the first one applied first. (a, b) are Gaussian integers
-/// without a common integer factor. Throws SurfaceError if the word is not a path, and for `is_regular` surfaces, whose
-/// crossings are not rational. Quasi-linear in the number of digits of the result.
+/// without a common integer factor. Throws SurfaceError if the word is not a path, and unless the surface
+/// `is_rational`: other crossings are not rational. Quasi-linear in the number of digits of the result.
 [[nodiscard]] Isometry<Rational> exact_isometry(const Surface& surface, const Word& word);
 
 /// Returns that isometry scaled to determinant 1, in intervals of width at most 2^−bits·|a|. Ball arithmetic (Arb)
@@ -70,7 +70,7 @@ struct FundamentalPolygon {
     SideId side;            ///< The number of this side on the surface.
   };
   std::vector<Side> sides;
-  /// vertices[k] is the start of side k. Exact; for a regular surface rounded to 256 bits.
+  /// vertices[k] is the start of side k. Exact if the surface `is_rational`, else rounded to 256 bits.
   std::vector<Complex<Rational>> vertices;
   /// One relation for each vertex of the surface that is a vertex of the polygon: the sides k₁, k₂, … crossed clockwise
   /// around it, in order. Their isometries have the product γ₁γ₂… = 1.
@@ -146,7 +146,8 @@ struct MatrixSurface {
 /// of one rational point, dual to the Dirichlet domain; the surface is proved by the constructor of Surface, and that
 /// the groups are equal by exact products. If some numbers are decimals and the relations of the domain do not hold
 /// exactly, it is a rational surface nearest to the matrices: the sum of the squares of all differences of entries is
-/// the least possible one, but for 2⁻⁵⁰. If tiles are given, it is the surface of a map, and the matrices are exact.
+/// the least possible one, but for 2⁻⁵⁰. If tiles are given, it is the surface of a map, and the matrices are exact. If
+/// some numbers are of a number field, all are exact, and so is the surface, over the least field that has them.
 ///
 /// Throws MatricesError, LimitError for products of too many bits. Elements that prove torsion, parabolic ones and
 /// those that violate Jørgensen's inequality are decided exactly, unless numbers are rounded. Cubic in the genus.

@@ -378,11 +378,14 @@ std::string polynomial_text(const std::vector<mpz_class>& coefficients, const st
   return text.empty() ? "0" : text;
 }
 
-/// "root(f,r)": α, which is nearer to r than to any other root.
+/// "root(f,r)": α, for a decimal r that is nearer to α than the ends of the interval, beyond which other roots are.
 std::string root_text(const FieldTiles& tiles) {
-  constexpr int kDigits = 40;
-  return "root(" + polynomial_text(tiles.document.polynomial, "x") + "," +
-         tiles.root().str(kDigits, std::ios_base::fixed) + ")";
+  const Mp1024 root = tiles.root();
+  const auto& [lower, upper] = tiles.document.root;
+  const Mp1024 room = std::min(Mp1024(root - rounded<Mp1024>(lower)), Mp1024(rounded<Mp1024>(upper) - root));
+  int digits = 1;
+  for (Mp1024 error = 1; error > room / 4 && digits < 300; error /= 10) ++digits;
+  return "root(" + polynomial_text(tiles.document.polynomial, "x") + "," + root.str(digits, std::ios_base::fixed) + ")";
 }
 
 /// Real numbers of a field as polynomials in the number of this name.

@@ -32,6 +32,14 @@ struct RationalType {
 };
 using FlintRational = certify::Owner<RationalType>;
 
+mpq_class coefficient(const RationalPolynomial& x, slong k) {
+  FlintRational value;
+  fmpq_poly_get_coeff_fmpq(value.get(), x.get(), k);
+  mpq_class result;
+  fmpq_get_mpq(result.get_mpq_t(), value.get());
+  return result;
+}
+
 RationalPolynomial constant(const mpq_class& x) {
   RationalPolynomial result;
   FlintRational value;
@@ -177,10 +185,10 @@ RationalPolynomial expressed(const RationalPolynomial& x, const RationalPolynomi
   return coordinates.solution(0);
 }
 
-}  // namespace
-
 /// The field became larger: what was read before means something else now.
 struct Adjoined {};
+
+}  // namespace
 
 /// Reads one number, and has its reader adjoin what is missing.
 class NumberFieldParser : public ArithmeticParser<RationalPolynomial> {
@@ -251,24 +259,33 @@ class NumberFieldParser : public ArithmeticParser<RationalPolynomial> {
     if (fmpq_poly_degree(f.get()) < 1 || fmpq_poly_degree(f.get()) > NumberFieldReader::kMostDegree) {
       fail("a polynomial in x of degree 1 to 64 before this");
     }
+    if (size_of(f) * static_cast<std::uint64_t>(fmpq_poly_length(f.get())) > kMostBits) {
+      fail("a polynomial of at most " + std::to_string(kMostBits) + " bits before this");
+    }
     expect(",");
     const mpq_class sign = take("-") ? -1 : 1;
     const mpq_class near = sign * decimal();
     expect(")");
     const certify::Precision scope(kValueBits);
-    std::optional<certify::Ball> root;
-    Polynomial least;
-    const certify::Ball target = certify::Ball::rounded(near);
+    struct Root {
+      certify::Ball value;
+      certify::Ball distance;
+      Polynomial factor;
+    };
+    std::vector<Root> roots;
     for (const Polynomial& factor : factors_of(integral(f))) {
-      for (const certify::Ball& candidate : real_roots(factor)) {
-        if (root && certify::certainly_less(abs(candidate - target), abs(*root - target)) != certify::Tri::yes)
-          continue;
-        root = candidate;
-        least = factor;
-      }
+      for (const certify::Ball& root : real_roots(factor))
+        roots.push_back({root, abs(root - certify::Ball::rounded(near)), factor});
     }
-    if (!root) fail("a polynomial that has a real root before this");
-    return named(text_from(first), monic(least), *root);
+    if (roots.empty()) fail("a polynomial that has a real root before this");
+    const auto is_nearest = [&](const Root& root) {
+      return std::all_of(roots.begin(), roots.end(), [&](const Root& other) {
+        return &other == &root || certify::certainly_less(root.distance, other.distance) == certify::Tri::yes;
+      });
+    };
+    const auto nearest = std::find_if(roots.begin(), roots.end(), is_nearest);
+    if (nearest == roots.end()) fail("a decimal that is nearer to one root than to the others before this");
+    return named(text_from(first), monic(nearest->factor), nearest->value);
   }
 
   static std::vector<RationalPolynomial> monic(const Polynomial& f) {

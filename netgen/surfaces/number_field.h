@@ -1,15 +1,34 @@
 #pragma once
 
+#include <flint/fmpq_poly.h>
+#include <gmpxx.h>
+#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "certify/net/document.h"
 #include "certify/numbers/ball.h"
-#include "netgen/surfaces/rational_polynomial.h"
+#include "certify/numbers/polynomial.h"
 
 /// Real numbers as texts, in the least number field that has them.
 namespace epsnet {
+
+struct RationalPolynomialType {
+  using Struct = fmpq_poly_struct;
+  static void init(Struct* x) { fmpq_poly_init(x); }
+  static void set(Struct* x, const Struct* y) { fmpq_poly_set(x, y); }
+  static void swap(Struct* x, Struct* y) { fmpq_poly_swap(x, y); }
+  static void clear(Struct* x) { fmpq_poly_clear(x); }
+};
+
+/// A polynomial over ℚ.
+using RationalPolynomial = certify::Owner<RationalPolynomialType>;
+
+[[nodiscard]] inline mpz_class denominator_of(const RationalPolynomial& x) {
+  certify::Integer result;
+  fmpq_poly_get_denominator(result.get(), x.get());
+  return result.value();
+}
 
 /// A real number field ℚ(α) that grows with the numbers that are read: sums, differences, products, quotients and
 /// integer powers of integers, fractions, decimals (which are exact), sqrt(x), cos(a*pi/b), sin(a*pi/b), and
@@ -44,7 +63,8 @@ class NumberFieldReader {
   [[nodiscard]] certify::Ball value(const RationalPolynomial& x) const;
   /// The root t, near which it is known, of t^m + p[m − 1] t^(m−1) + …, in the field that has it as well.
   [[nodiscard]] RationalPolynomial adjoined(const std::vector<RationalPolynomial>& p, const certify::Ball& t);
-  /// The field becomes ℚ(θ), θ a root of h, and α a polynomial in θ; returns what a polynomial in θ is then.
+  /// The field becomes ℚ(θ), θ the root of h near which it is known. Numbers of the field, polynomials in α, which is
+  /// this polynomial in θ, become polynomials in the new α, and so does `also`, a polynomial in θ.
   void move_to(const certify::Polynomial& h, const certify::Ball& theta, const RationalPolynomial& alpha,
                RationalPolynomial& also);
 

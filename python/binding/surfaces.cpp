@@ -164,6 +164,7 @@ void bind_surface_files(SurfaceClass& bound) {
 void bind_surface_facts(SurfaceClass& bound) {
   bound.def_property("about", &Surface::about, &Surface::set_about)
       .def_property_readonly("is_regular", &Surface::is_regular)
+      .def_property_readonly("is_rational", &Surface::is_rational)
       .def_property_readonly("is_regular_polygon", &Surface::is_regular_polygon)
       .def_property_readonly("regular_tile",
                              [](const Surface& surface) {

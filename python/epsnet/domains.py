@@ -42,7 +42,7 @@ class FundamentalPolygon(Drawn):
 
     @property
     def vertices(self) -> list[Gaussian]:
-        """The corners, counterclockwise. They are exact; for a regular surface they are rounded to 256 bits."""
+        """The corners, counterclockwise. Exact if the surface ``is_rational``, else rounded to 256 bits."""
         return [Gaussian(x, y) for x, y in self._core.vertices]
 
     def generators(self) -> list[Isometry]:

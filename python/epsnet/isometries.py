@@ -201,8 +201,8 @@ class Isometry:
 
     @property
     def is_exact(self) -> bool:
-        """Whether ``a`` and ``b`` exist: true if the tiles are rational, which holds for all surfaces except those of regular tiles."""
-        return not self.surface.is_regular
+        """Whether ``a`` and ``b`` exist: true if the tiles are rational: not for regular ones, and not over a number field."""
+        return self.surface.is_rational
 
     def _pair(self) -> tuple[Gaussian, Gaussian]:
         if self._exact is None:
@@ -212,7 +212,7 @@ class Isometry:
 
     @property
     def a(self) -> Gaussian:
-        """A Gaussian integer; ``a`` and ``b`` have no common integer factor. SurfaceError for a regular surface."""
+        """A Gaussian integer; ``a`` and ``b`` have no common integer factor. SurfaceError unless ``is_exact``."""
         return self._pair()[0]
 
     @property

@@ -314,8 +314,13 @@ class Surface(Drawn, Immutable):
         return self._core.is_regular
 
     @property
+    def is_rational(self) -> bool:
+        """Whether its tiles and the elements of its group are rational: neither of regular tiles nor over a number field."""
+        return self._core.is_rational
+
+    @property
     def tiles(self) -> list[list[Gaussian]]:
-        """The polygons, counterclockwise, each in its own coordinates. Exact; for regular tiles rounded to 256 bits."""
+        """The polygons, counterclockwise, each in its own coordinates. Exact if the surface ``is_rational``, else rounded to 256 bits."""
         return [[Gaussian(x, y) for x, y in tile] for tile in self._core.tiles]
 
     @property

@@ -334,6 +334,13 @@ def test_matrices_over_a_number_field_are_exact():
     bolza = Surface.from_matrices(rows, model="su11")
     assert len(bolza.isometries()) == 96 and bolza.net("0.5").certificate
     assert bolza.isometric_to(Surface.from_matrices(bolza.matrices()["generators"]))
+    # Its elements are not rational, and are enclosed: translations by the systole.
+    assert not bolza.is_rational and not bolza.is_regular
+    element = bolza.systole().geodesics[0].element
+    assert not element.is_exact and "Isometry" in repr(element)
+    assert element.trace().lower == pytest.approx(2 + 2 * math.sqrt(2))
+    with pytest.raises(epsnet.SurfaceError, match="not rational"):
+        element.exact()
     with pytest.raises(epsnet.SurfaceError, match="algebra: .* expected a positive number"):
         Surface.from_matrices([[[1, 0], [0, 0]]], algebra=(-1, -3))
     with pytest.raises(epsnet.SurfaceError, match="the entries have 4 digits; about"):

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "certify/base/text.h"
@@ -25,6 +27,7 @@
 #include "certify/numbers/ball.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/moving_vertex.h"
+#include "tests/certify/over_field.h"
 
 /// False claims, each with the rule by which the second checker refutes it; and true ones beside them that it verifies.
 namespace epsnet::exact::second_checker_claims_test {
@@ -1144,6 +1147,24 @@ TEST(SlowSecondCheckerOfPseudoNets, WithoutItsCollarsANetDoesNotCover) {
   ASSERT_EQ(outcome(document), "VERIFIED");
   document.collars->clear();
   EXPECT_EQ(outcome(document), "REFUTED: covering");
+}
+
+/// Every net of the folders on rational tiles has the verdict of the same net over a number field.
+TEST(SecondChecker, NetsOverAFieldHaveTheVerdictsOfRationalOnes) {
+  int compared = 0;
+  for (const char* folder : {"certify/verified", "certify/refuted", "forgeries"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(EPSNET_TEST_DATA) + "/" + folder)) {
+      if (entry.path().extension() != ".json") continue;
+      const certify::ClaimDocument claim = certify::read_file<certify::ClaimDocument>(entry.path());
+      const auto* net = std::get_if<NetDocument>(&claim);
+      if (net == nullptr || net->surface.tiles.empty() || !certify::test::has_crossings(net->surface)) continue;
+      NetDocument same = *net;
+      same.surface = certify::test::over_field(net->surface);
+      EXPECT_EQ(outcome(same), outcome(*net)) << entry.path();
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 30);
 }
 
 }  // namespace

@@ -89,6 +89,8 @@ TEST(NumberField, SaysWhatIsWrongWithAText) {
       {"sqrt(-1)", "expected a positive number in the square root"},
       {"root(x^2+1,0)", "that has a real root"},
       {"root(3,0)", "a polynomial in x of degree 1 to 64"},
+      {"root(x^2-2,0)", "nearer to one root than to the others"},
+      {"root(x^64+1" + std::string(2000, '0') + "*x+1,0)", "a polynomial of at most 100000 bits"},
       {"1/(sqrt(4)-2)", "other than 0"},
       {"foo", "expected a number, sqrt(x), root(f,r), cos(a*pi/b) or sin(a*pi/b) at character 1"},
       {"sqrt(2", "expected ')'"},

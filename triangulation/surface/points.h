@@ -10,7 +10,7 @@ namespace epsnet {
 void require_on_surface(const Surface& surface, const BasePoint& point);
 
 /// Returns the same point of the surface in a closed tile that contains it: the point as given if its own tile does.
-/// Exact. The crossings of a regular surface are not rational; there every point is returned as given. Throws
+/// Exact. Unless the surface `is_rational`, every point is returned as given. Throws
 /// SurfaceError if it is no point of the surface, or more than 10,000 tiles away from its own.
 [[nodiscard]] BasePoint in_its_tile(const Surface& surface, const BasePoint& point);
 
