@@ -244,8 +244,9 @@ class FieldTiles {
     return {twice_real(image), twice_imaginary(image),
             mpz_class(2) * ((norm(f.a) + norm(f.b)) * v.t + twice_real(f.a * conjugate(f.b) * w))};
   }
+  /// Of vectors inside the light cone, so that T ≠ 0: whether X/T and Y/T are equal.
   static bool are_parallel(const FieldVector& u, const FieldVector& v) {
-    return sign(u.x * v.y - u.y * v.x) == 0 && sign(u.y * v.t - u.t * v.y) == 0 && sign(u.t * v.x - u.x * v.t) == 0;
+    return sign(u.x * v.t - u.t * v.x) == 0 && sign(u.y * v.t - u.t * v.y) == 0;
   }
   [[nodiscard]] const FieldVector& start(std::size_t side) const { return vertices_[side]; }
   [[nodiscard]] const FieldVector& end(std::size_t side) const { return vertices_[sides_.next[side]]; }

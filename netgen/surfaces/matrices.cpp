@@ -44,7 +44,7 @@ Isometry<Mp1024> finely_rounded(const certify::Isometry<certify::FieldNumber>& f
 }
 
 template <class Number>
-Numeric rounded(const certify::Isometry<Number>& f) {
+Numeric numeric(const certify::Isometry<Number>& f) {
   return convert<Mp256>(finely_rounded(f));
 }
 
@@ -68,7 +68,7 @@ std::string word_name(const std::vector<std::int32_t>& letters, std::size_t gene
 template <class Number>
 std::optional<int> order_of_elliptic(const certify::Isometry<Number>& f) {
   constexpr int kGreatest = 400;
-  const Numeric value = rounded(f);
+  const Numeric value = numeric(f);
   Numeric power = value;
   certify::Isometry<Number> exact_power = f;
   for (int n = 2; n <= kGreatest; ++n) {
@@ -132,7 +132,7 @@ class Examiner {
     }
     throw MatricesError(Kind::not_discrete, "not discrete: " + name(x) +
                                                 " is elliptic, of infinite order (its trace is ±" +
-                                                decimal(Mp256(2 * abs(rounded(f).a.x))) + ")");
+                                                decimal(Mp256(2 * abs(numeric(f).a.x))) + ")");
   }
 
   /// How far a trace may be from that which is meant.
@@ -376,7 +376,7 @@ class Maker {
   Maker(const MatrixGenerators& matrices, std::vector<Element> generators, const Groups& groups, bool exact)
       : matrices_(matrices), generators_(std::move(generators)), groups_(groups), exact_(exact) {
     for (const Element& f : generators_) rounded_.push_back(finely_rounded(f));
-    for (const Element& f : generators_) targets_.push_back(rounded(f));
+    for (const Element& f : generators_) targets_.push_back(numeric(f));
     if (!exact) set_digits(matrices.digits.value());
   }
 
@@ -459,7 +459,7 @@ class Maker {
         throw LimitError("the matrices of the relation have more than " + std::to_string(kMostBits) + " bits together");
       }
       const Element product = certify::compose_range(0, matrices_.relation.size(), letter);
-      if (!certify::is_identity(product)) fail_relation(rounded(product));
+      if (!certify::is_identity(product)) fail_relation(numeric(product));
       return;
     }
     MatrixProducts products(rounded_, {0, 0}, rounding_);
@@ -575,7 +575,7 @@ class Maker {
       std::vector<Numeric> rounded_solution;
       for (const ExactIsometry& f : solution) {
         if (certify::determinant(f) <= 0) break;
-        rounded_solution.push_back(rounded(f));
+        rounded_solution.push_back(numeric(f));
       }
       if (rounded_solution.size() < solution.size() || difference(values(rounded_solution), values(nearest)) > wanted) {
         continue;
@@ -591,7 +591,7 @@ class Maker {
       for (const auto& some : words) result.words.push_back(word_of(result.surface, darts, tiling, some));
       result.is_exact = false;
       std::vector<Numeric> found;
-      for (const Word& word : result.words) found.push_back(rounded(integral(exact_isometry(result.surface, word))));
+      for (const Word& word : result.words) found.push_back(numeric(integral(exact_isometry(result.surface, word))));
       const Mp256 distance = difference(found, targets_);
       result.distance = static_cast<double>(distance);
       result.surface.set_about("surface nearest to " + std::to_string(generators_.size()) +
@@ -685,7 +685,7 @@ MatrixSurface surface_near(const MatrixGenerators& matrices, const std::vector<E
       return Maker<RationalGroups>(matrices, generators, RationalGroups(), false).make();
     }
     std::vector<Numeric> targets;
-    for (const ExactIsometry& f : generators) targets.push_back(rounded(f));
+    for (const ExactIsometry& f : generators) targets.push_back(numeric(f));
     std::vector<ExactIsometry> solution;
     for (const Numeric& f : moved_to_relation(targets, matrices.relation)) {
       solution.push_back(integral(convert<Rational>(f)));
