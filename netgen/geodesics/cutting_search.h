@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "certify/claims/geodesics/document.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "triangulation/mesh/triangulation.h"
@@ -72,5 +73,20 @@ class CuttingSearch {
   std::vector<std::uint32_t> step_;    ///< By dart: which isometry leads from the chart across.
   std::vector<Isometry<double>> isometries_{{}};  ///< Number 0 is the identity.
 };
+
+/// A simple closed curve passing through a triangle: it cuts off one corner.
+struct CornerArc {
+  TriangleId triangle;
+  std::uint32_t corner;  ///< The corner cut off.
+  bool corner_is_left;   ///< Whether it is on the left of the directed curve.
+  std::uint32_t rank;    ///< How many other arcs are nearer to it.
+};
+
+/// Returns the components of a surface minus pairwise disjoint simple closed curves, each given by all of its arcs:
+/// their genus and boundaries (curve, side), side 0 on the left. The method only counts: arcs cut triangles into cells,
+/// cells are joined across edges, and V − E + F is 2 − 2g − b for a component of genus g with b boundaries. The pieces
+/// are in the order of their first boundaries; without curves the only piece is the surface. O(triangles + arcs).
+[[nodiscard]] std::vector<certify::GeodesicsDocument::Piece> cut_surface(
+    const Triangulation& triangulation, const std::vector<std::vector<CornerArc>>& curves);
 
 }  // namespace epsnet

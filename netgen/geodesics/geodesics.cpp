@@ -15,7 +15,6 @@
 
 #include "certify/numbers/parallel.h"
 #include "netgen/geodesics/axis_catalogue.h"
-#include "netgen/geodesics/cut_surface.h"
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"

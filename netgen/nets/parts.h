@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "triangulation/mesh/threshold.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

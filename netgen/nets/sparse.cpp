@@ -15,7 +15,6 @@
 
 #include "kernel/predicates.h"
 #include "netgen/nets/refine.h"
-#include "triangulation/mesh/contraction.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"
 

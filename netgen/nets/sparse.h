@@ -6,7 +6,6 @@
 
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/variants.h"
-#include "triangulation/mesh/threshold.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "triangulation/mesh/contraction.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/surface/points.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "certify/check.h"
-#include "certify/claims/net/collars.h"
+#include "certify/claims/net/claim.h"
 #include "certify/file/reader.h"
 #include "certify/net/numbering.h"
 #include "certify/net/structure.h"

@@ -1,9 +1,8 @@
-#include "certify/claims/geodesics/cut_surface.h"
-
 #include <gtest/gtest.h>
 #include <map>
 #include <numeric>
 
+#include "certify/claims/geodesics/axis_crossings.h"
 #include "tests/certify/lifted_reference.h"
 
 /// The pieces that simple closed geodesics leave of the Bolza surface, against its homology.

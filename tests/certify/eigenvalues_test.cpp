@@ -25,7 +25,7 @@
 #include "certify/claims/eigenvalues/eigenfunction.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/eigenvalues/forms.h"
-#include "certify/claims/eigenvalues/overlaps.h"
+#include "certify/claims/eigenvalues/local_functions.h"
 #include "certify/file/reader.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"

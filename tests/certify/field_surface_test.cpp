@@ -165,6 +165,28 @@ TEST(FieldSurface, CrossingsTakeBothEndsOfASide) {
   }
 }
 
+// Reflected in an axis of the disk, the image has one of its two coordinates right, and is as long.
+TEST(FieldSurface, CrossingsTakeASideToThePartnerAndNotToAReflectionOfIt) {
+  const SurfaceDocument rational = octagon();
+  for (const int axis : {0, 1}) {
+    const auto corner = [&](std::uint32_t k) { return exact_point(rational.tiles[0][k % 8]); };
+    const auto reflected = [&](std::uint32_t k) {
+      RationalPoint z = rational.tiles[0][k % 8];
+      (axis == 0 ? z.y : z.x) *= -1;
+      return exact_point(z);
+    };
+    for (std::size_t i = 0; i < rational.gluing.size(); ++i) {
+      const auto& [t, k, u, l] = rational.gluing[i];
+      const ExactIsometry f = crossing(corner(k), corner(k + 1), reflected(l), reflected(l + 1));
+      const std::string said = said_of(over_field(rational), [&](Field& field) {
+        field.crossings[i] = {test::times_root(f.a.re), test::times_root(f.a.im), test::times_root(f.b.re),
+                              test::times_root(f.b.im)};
+      });
+      EXPECT_TRUE(says(said, "to which the crossing does not take it")) << said;
+    }
+  }
+}
+
 TEST(FieldSurface, TheRootIsTheOneOfItsInterval) {
   const SurfaceDocument surface = over_field(octagon());
   const auto with = [&](std::vector<mpz_class> polynomial, const mpq_class& lower, const mpq_class& upper) {

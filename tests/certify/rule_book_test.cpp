@@ -1,5 +1,3 @@
-#include "certify/verdict/rule_book.h"
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -16,6 +14,7 @@
 #include "certify/claims/net/claim.h"
 #include "certify/file/reader.h"
 #include "certify/net/structure.h"
+#include "certify/verdict/verification.h"
 
 /// Nothing is VERIFIED unless every rule that a claim declares was reported, once, and is.
 namespace epsnet::certify::rule_book_test {

@@ -25,7 +25,7 @@
 #include "certify/claims/eigenvalues/enclosures.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/eigenvalues/forms.h"
-#include "certify/claims/eigenvalues/overlaps.h"
+#include "certify/claims/eigenvalues/local_functions.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/claim_rules.h"
 #include "certify/exact/eigenfunctions.h"

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "certify/claims/eigenvalues/overlaps.h"
+#include "certify/claims/eigenvalues/local_functions.h"
 
 namespace epsnet::eigenfunctions_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "netgen/base/options.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/in_circle.h"
-#include "triangulation/mesh/threshold.h"
+#include "triangulation/mesh/triangulation.h"
 
 /// A second opinion on net files, for the tests of `certify`: docs/format.md and the rules of docs/proof.md, written
 /// down once more with the kernel's formulas at 1024 bits, simple and slow, nothing shared with the certifier.

@@ -13,7 +13,7 @@
 #include "certify/claims/bound/fields.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/claims/net/claim.h"
-#include "certify/lifted/lorentz.h"
+#include "certify/lifted/lifted_plane.h"
 #include "certify/net/labels.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "certify/base/lookup.h"
-#include "certify/lifted/lorentz.h"
+#include "certify/lifted/lifted_plane.h"
 
 namespace epsnet::certify {
 namespace {

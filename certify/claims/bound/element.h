@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "certify/lifted/lorentz.h"
+#include "certify/lifted/lifted_plane.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/interval_arithmetic.h"
 #include "certify/numbers/isometry.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/claims/eigenvalues/local_values.h"
+#include "certify/claims/eigenvalues/local_functions.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/parallel.h"

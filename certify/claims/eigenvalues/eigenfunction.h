@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "certify/claims/eigenvalues/document.h"
-#include "certify/claims/eigenvalues/local_values.h"
-#include "certify/claims/eigenvalues/overlaps.h"
+#include "certify/claims/eigenvalues/local_functions.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/budget.h"
 

@@ -1,6 +1,6 @@
 #include "certify/claims/eigenvalues/forms.h"
 
-#include "certify/lifted/lorentz.h"
+#include "certify/lifted/lifted_plane.h"
 #include "certify/net/numbering.h"
 
 namespace epsnet::certify {

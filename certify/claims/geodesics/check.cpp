@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "certify/base/text.h"
+#include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/crossing_search.h"
-#include "certify/claims/geodesics/cut_surface.h"
 #include "certify/claims/geodesics/fields.h"
 #include "certify/claims/geodesics/sequences.h"
 #include "certify/claims/net/claim.h"

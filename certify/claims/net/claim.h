@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "certify/net/document.h"
 #include "certify/net/labels.h"
 #include "certify/net/structure.h"
+#include "certify/verdict/report.h"
 #include "certify/verdict/verification.h"
 
 /// What every claim is made of, and the one way in which it is checked: the rules of the net, then those of its own.
@@ -38,5 +40,20 @@ struct Claim {
 
 [[nodiscard]] inline RuleNames own_rules(const NetDocument& /*document*/) { return {}; }
 [[nodiscard]] Claim claim_of(const NetDocument& document);
+
+struct CollarsOutcome {
+  RuleReport report;
+  std::uint64_t max_precision = 0;        ///< Bits.
+  std::optional<Interval> shortest_core;  ///< Of those collars that hold; absent without any.
+};
+
+/// Rule `collars` of a pseudo net: ε ≤ ln √2; collars share no triangle and no vertex; each is an annulus of two
+/// triangles around a closed geodesic that is no longer than ε and has the length that the file says; its two vertices
+/// lie on the two sides of that geodesic, in the ε-thick part and near enough to cover what the annulus has of it
+/// (docs/proof.md, section 10, clauses (a) to (g)).
+///
+/// Combinatorics exactly, lengths by balls of more and more bits. Needs rules `surface`, `map` and `gluing`. O(n).
+[[nodiscard]] CollarsOutcome check_collars(const NetDocument& document, const LabelEvaluator& evaluator,
+                                           const LabelParts& parts, long max_precision);
 
 }  // namespace epsnet::certify

@@ -10,7 +10,7 @@
 #include "certify/base/text.h"
 #include "certify/claims/net/claim.h"
 #include "certify/claims/pants/fields.h"
-#include "certify/lifted/lorentz.h"
+#include "certify/lifted/lifted_plane.h"
 #include "certify/net/numbering.h"
 #include "certify/net/structure.h"
 #include "certify/numbers/ball.h"

@@ -1,5 +1,3 @@
-#include "triangulation/mesh/contraction.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

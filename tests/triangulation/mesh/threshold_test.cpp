@@ -1,5 +1,3 @@
-#include "triangulation/mesh/threshold.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "tests/support/triangulations.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet::threshold_test {
 namespace {
