@@ -1,14 +1,18 @@
 #include "netgen/isometries/exact_conjugacy.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "certify/numbers/exact.h"
 #include "kernel/lorentz.h"
 #include "netgen/surfaces/exact_isometries.h"
+#include "netgen/surfaces/field_numbers.h"
 #include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/number_field.h"
 #include "netgen/surfaces/triangle_group.h"
 #include "triangulation/surface/error.h"
 
@@ -87,16 +91,97 @@ class FieldElements {
          tiles->document.root == others->document.root;
 }
 
-/// What `use` makes of the elements of both surfaces. Nothing, if they are in different rings, or in none.
+/// Elements of groups of surfaces of any kinds, in one number field that has the numbers of both.
+class CommonElements {
+ public:
+  using Normal = ScaledNormal<certify::FieldNumber>;
+
+  /// Throws SurfaceError, if the field is too large.
+  CommonElements(const Surface& first, const Surface& second) {
+    // The square roots last: the polynomials of the others then have the fewest coefficients.
+    const std::vector<std::string> some = generators(first);
+    const std::vector<std::string> others = generators(second);
+    for (std::size_t i = 0; i < std::max(some.size(), others.size()); ++i) {
+      if (i < some.size()) reader_.add(some[i]);
+      if (i < others.size()) reader_.add(others[i]);
+    }
+    const certify::SurfaceDocument::Field document = reader_.field();
+    field_.emplace(document.polynomial, document.root);
+  }
+
+  [[nodiscard]] std::optional<Normal> normal_of(const Surface& surface, const Word& word) const {
+    std::optional<std::vector<std::string>> texts;
+    if (surface.is_regular()) {
+      const TriangleGroup group(*surface.regular_tile());
+      const RingGenerators names = generator_texts(group.ring());
+      texts = texts_of(RegularElements(*surface.regular_tile()), surface, word,
+                       [&](const std::vector<certify::RegularNumber>& x) { return number_texts(x, names); });
+    } else if (surface.field_tiles()) {
+      const std::string name = root_text(*surface.field_tiles());
+      texts = texts_of(FieldElements(), surface, word,
+                       [&](const std::vector<certify::FieldNumber>& x) { return number_texts(x, name); });
+    } else {
+      texts = texts_of(RationalElements(), surface, word, [](const std::vector<mpz_class>& x) {
+        std::vector<std::string> result;
+        for (const mpz_class& number : x) result.push_back(number.get_str());
+        return result;
+      });
+    }
+    if (!texts) return std::nullopt;
+    return read(*texts);
+  }
+
+ private:
+  static std::vector<std::string> generators(const Surface& surface) {
+    if (surface.field_tiles()) return {root_text(*surface.field_tiles())};
+    if (!surface.is_regular()) return {};
+    const TriangleGroup group(*surface.regular_tile());
+    const RingGenerators names = generator_texts(group.ring());
+    return {names.cosine, names.s};
+  }
+
+  template <class Elements, class Texts>
+  static std::optional<std::vector<std::string>> texts_of(const Elements& elements, const Surface& surface,
+                                                          const Word& word, const Texts& texts) {
+    const auto normal = elements.normal_of(surface, word);
+    if (!normal) return std::nullopt;
+    return texts({normal->scale, normal->normal.x, normal->normal.y, normal->normal.t});
+  }
+
+  /// The four numbers, with a common denominator that is left out.
+  [[nodiscard]] Normal read(const std::vector<std::string>& texts) const {
+    NumberFieldReader reader = reader_;
+    const std::size_t before = reader.numbers().size();
+    mpz_class denominator = 1;
+    for (const std::string& text : texts) {
+      reader.add(text);
+      denominator = lcm(denominator, denominator_of(reader.numbers().back()));
+    }
+    const auto number = [&](std::size_t i) {
+      certify::Polynomial integral;
+      const RationalPolynomial& x = reader.numbers()[before + i];
+      fmpq_poly_get_numerator(integral.get(), x.get());
+      certify::Integer factor;
+      fmpz_set_mpz(factor.get(), mpz_class(denominator / denominator_of(x)).get_mpz_t());
+      fmpz_poly_scalar_mul_fmpz(integral.get(), integral.get(), factor.get());
+      return certify::FieldNumber{&*field_, integral};
+    };
+    return {number(0), {number(1), number(2), number(3)}};
+  }
+
+  NumberFieldReader reader_;
+  std::optional<certify::NumberField> field_;
+};
+
+/// What `use` makes of the elements of both surfaces. Nothing, if their numbers are in a field that is too large.
 template <class Use>
 [[nodiscard]] std::optional<bool> with_elements(const Surface& first, const Surface& second, const Use& use) {
-  const auto tile = first.regular_tile();
-  if (tile != second.regular_tile()) return std::nullopt;
   if (first.is_rational() && second.is_rational()) return use(RationalElements());
   if (have_one_field(first, second)) return use(FieldElements());
-  if (!tile) return std::nullopt;
+  const auto tile = first.regular_tile();
   try {
-    return use(RegularElements(*tile));
+    if (tile && tile == second.regular_tile()) return use(RegularElements(*tile));
+    return use(CommonElements(first, second));
   } catch (const SurfaceError&) {
     // A ring that is too large.
     return std::nullopt;

@@ -16,7 +16,7 @@ struct ElementPair {
 };
 
 /// Whether there is an isometry f of the plane with f ∘ x ∘ f⁻¹ = x' for the elements x of all pairs and their partners
-/// x'. Nothing, if their numbers are too large, or those of the two surfaces in different rings.
+/// x'. Nothing, if their numbers are too large, or in a field of a degree above 64.
 ///
 /// Requires: two pairs or more; the first two `from` have no end of their axes in common.
 [[nodiscard]] std::optional<bool> are_conjugate(const Surface& first, const Surface& second,

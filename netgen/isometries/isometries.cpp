@@ -342,7 +342,8 @@ bool search(const Surface& first, const Surface& second, const std::vector<certi
     if (exact && !*exact) continue;
     answer.kind = exact ? IsometricAnswer::Kind::yes : IsometricAnswer::Kind::undecided;
     answer.isometry = std::move(isometry);
-    if (!exact) answer.reason = "the exact numbers of the two surfaces are of different kinds";
+    if (!exact)
+      answer.reason = "the exact numbers of the two surfaces are too large, or in no number field of degree at most 64";
     return true;
   }
   return false;

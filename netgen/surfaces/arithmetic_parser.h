@@ -136,8 +136,10 @@ class ArithmeticParser {
     }
   }
 
+  /// -x^2 is -(x^2).
   Number power() {
-    Number base = factor();
+    if (take("-")) return negative(at_depth([&] { return power(); }));
+    Number base = at_depth([&] { return factor(); });
     if (!take("^")) return base;
     constexpr long kGreatestPower = 64;
     const long exponent = integer();
@@ -147,16 +149,16 @@ class ArithmeticParser {
     return result;
   }
 
-  Number factor() {
+  template <class Read>
+  Number at_depth(const Read& read) {
     constexpr int kMostDepth = 100;
     if (++depth_ > kMostDepth) fail("fewer parentheses, or signs before a number,");
-    Number result = factor_at_depth();
+    Number result = read();
     --depth_;
     return result;
   }
 
-  Number factor_at_depth() {
-    if (take("-")) return negative(factor());
+  Number factor() {
     if (take("(")) {
       Number result = sum_of_products();
       expect(")");

@@ -11,6 +11,7 @@
 #include "certify/base/text.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/arithmetic_parser.h"
+#include "netgen/surfaces/number_field.h"
 #include "netgen/surfaces/triangle_group.h"
 
 namespace epsnet {
@@ -213,6 +214,44 @@ std::vector<std::string> field_texts(const std::vector<RegularNumber>& numbers) 
     std::string text = own;
     if (!of_s.empty()) text += (own.empty() ? "" : "+") + (of_s == "1" ? "s" : "s*(" + of_s + ")");
     result.push_back(text.empty() ? "0" : text);
+  }
+  return result;
+}
+
+namespace {
+
+/// Twice a sum of cosines of multiples of 2π/n, as a polynomial in x = 2cos(2π/n): that of k of these angles is the
+/// Dickson polynomial D_k(x), with D_0 = 2, D_1 = x and D_{k+1} = xD_k − D_{k−1}.
+std::vector<mpz_class> twice_in_cosine(const std::vector<mpz_class>& cosines) {
+  std::vector<mpz_class> result(cosines.size() + 1);
+  std::vector<mpz_class> dickson{2};
+  std::vector<mpz_class> next{0, 1};
+  for (const mpz_class& c : cosines) {
+    for (std::size_t i = 0; i < dickson.size(); ++i) result[i] += c * dickson[i];
+    std::vector<mpz_class> after(next.size() + 1);
+    for (std::size_t i = 0; i < next.size(); ++i) after[i + 1] = next[i];
+    for (std::size_t i = 0; i < dickson.size(); ++i) after[i] -= dickson[i];
+    dickson = std::exchange(next, std::move(after));
+  }
+  return result;
+}
+
+}  // namespace
+
+RingGenerators generator_texts(const certify::RegularRing& ring) {
+  const std::string cosine = "(2*cos(2*pi/" + std::to_string(ring.order()) + "))";
+  const std::string square = polynomial_text(twice_in_cosine(cosines(ring.square_of_s(), ring.order())), cosine);
+  return {cosine, "sqrt((" + square + ")/2)"};
+}
+
+std::vector<std::string> number_texts(const std::vector<RegularNumber>& numbers, const RingGenerators& generators) {
+  std::vector<std::string> result;
+  for (const RegularNumber& x : numbers) {
+    const auto part = [&](const certify::Polynomial& some) {
+      return polynomial_text(twice_in_cosine(cosines(some, x.ring->order())), generators.cosine);
+    };
+    const std::string of_s = part(x.v);
+    result.push_back(part(x.u) + (of_s == "0" ? "" : "+" + generators.s + "*(" + of_s + ")"));
   }
   return result;
 }

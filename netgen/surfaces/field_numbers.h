@@ -29,6 +29,20 @@ struct RingNumber {
 /// of the numbers are less than half of the order.
 [[nodiscard]] std::vector<std::string> field_texts(const std::vector<certify::RegularNumber>& numbers);
 
+/// Texts for 2cos(2π/n) with the order n of a ring, and for its s.
+struct RingGenerators {
+  std::string cosine;
+  std::string s;
+};
+
+/// The numbers that generate the real numbers of a ring, as texts that NumberFieldReader reads.
+[[nodiscard]] RingGenerators generator_texts(const certify::RegularRing& ring);
+
+/// Real numbers of a ring as polynomials in its generators, texts that NumberFieldReader reads; up to a common positive
+/// factor. Requires: as field_texts.
+[[nodiscard]] std::vector<std::string> number_texts(const std::vector<certify::RegularNumber>& numbers,
+                                                    const RingGenerators& generators);
+
 /// The isometry of the disk of a matrix with these numbers, as its text has them, up to scale. w = (z − i)/(z + i)
 /// takes the half-plane to the disk.
 template <class T>

@@ -1,5 +1,6 @@
 #include "netgen/surfaces/field_tiles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -8,6 +9,7 @@
 
 #include "kernel/lorentz.h"
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/number_field.h"
 
 namespace epsnet {
 namespace {
@@ -196,6 +198,30 @@ std::vector<mpz_class> coefficients_of(const FieldNumber& x) {
     result.push_back(coefficient.value());
   }
   if (result.empty()) result.emplace_back(0);
+  return result;
+}
+
+std::string root_text(const FieldTiles& tiles) {
+  const Mp1024 root = tiles.root();
+  const auto& [lower, upper] = tiles.document.root;
+  const Mp1024 room = std::min(Mp1024(root - rounded<Mp1024>(lower)), Mp1024(rounded<Mp1024>(upper) - root));
+  int digits = 1;
+  for (Mp1024 error = 1; error > room / 4 && digits < 300; error /= 10) ++digits;
+  return "root(" + polynomial_text(tiles.document.polynomial, "x") + "," + root.str(digits, std::ios_base::fixed) + ")";
+}
+
+std::vector<std::string> number_texts(const std::vector<certify::FieldNumber>& numbers, const std::string& name) {
+  std::vector<std::vector<mpz_class>> coefficients;
+  mpz_class divisor;
+  for (const certify::FieldNumber& x : numbers) {
+    coefficients.push_back(coefficients_of(x));
+    for (const mpz_class& c : coefficients.back()) divisor = gcd(divisor, c);
+  }
+  std::vector<std::string> result;
+  for (std::vector<mpz_class>& x : coefficients) {
+    for (mpz_class& c : x) c /= divisor;
+    result.push_back(polynomial_text(x, name));
+  }
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "certify/net/document.h"
@@ -38,5 +39,14 @@ template <class T>
 
 /// The coefficients of a real number.
 [[nodiscard]] std::vector<mpz_class> coefficients_of(const certify::FieldNumber& x);
+
+// Numbers as texts that NumberFieldReader reads.
+
+/// "root(f,r)": α, for a decimal r that is nearer to α than the ends of the interval, beyond which other roots are.
+[[nodiscard]] std::string root_text(const FieldTiles& tiles);
+
+/// Real numbers of a field as polynomials in the number of this name, up to a common positive integer factor.
+[[nodiscard]] std::vector<std::string> number_texts(const std::vector<certify::FieldNumber>& numbers,
+                                                    const std::string& name);
 
 }  // namespace epsnet

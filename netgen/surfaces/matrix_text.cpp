@@ -361,49 +361,6 @@ Json irrational_matrix_json(const certify::Isometry<Number>& f, MatrixModel mode
   return Json::array({Json::array({e[0], e[1]}), Json::array({e[2], e[3]})});
 }
 
-/// A polynomial with these coefficients, in the variable or number of this name.
-std::string polynomial_text(const std::vector<mpz_class>& coefficients, const std::string& name) {
-  std::string text;
-  for (std::size_t k = coefficients.size(); k-- > 0;) {
-    const mpz_class& c = coefficients[k];
-    if (c == 0) continue;
-    if (c > 0 && !text.empty()) text += "+";
-    if (k == 0 || abs(c) != 1) {
-      text += c.get_str() + (k > 0 ? "*" : "");
-    } else if (c < 0) {
-      text += "-";
-    }
-    if (k > 0) text += name + (k > 1 ? "^" + std::to_string(k) : "");
-  }
-  return text.empty() ? "0" : text;
-}
-
-/// "root(f,r)": α, for a decimal r that is nearer to α than the ends of the interval, beyond which other roots are.
-std::string root_text(const FieldTiles& tiles) {
-  const Mp1024 root = tiles.root();
-  const auto& [lower, upper] = tiles.document.root;
-  const Mp1024 room = std::min(Mp1024(root - rounded<Mp1024>(lower)), Mp1024(rounded<Mp1024>(upper) - root));
-  int digits = 1;
-  for (Mp1024 error = 1; error > room / 4 && digits < 300; error /= 10) ++digits;
-  return "root(" + polynomial_text(tiles.document.polynomial, "x") + "," + root.str(digits, std::ios_base::fixed) + ")";
-}
-
-/// Real numbers of a field as polynomials in the number of this name.
-std::vector<std::string> number_texts(const std::vector<certify::FieldNumber>& numbers, const std::string& name) {
-  std::vector<std::vector<mpz_class>> coefficients;
-  mpz_class divisor;
-  for (const certify::FieldNumber& x : numbers) {
-    coefficients.push_back(coefficients_of(x));
-    for (const mpz_class& c : coefficients.back()) divisor = gcd(divisor, c);
-  }
-  std::vector<std::string> result;
-  for (std::vector<mpz_class>& x : coefficients) {
-    for (mpz_class& c : x) c /= divisor;
-    result.push_back(polynomial_text(x, name));
-  }
-  return result;
-}
-
 }  // namespace
 
 MatrixGenerators parse_matrices(const std::string& text) { return MatrixReader().read(text); }

@@ -470,4 +470,20 @@ certify::SurfaceDocument::Field NumberFieldReader::field() const {
   }
 }
 
+std::string polynomial_text(const std::vector<mpz_class>& coefficients, const std::string& name) {
+  std::string text;
+  for (std::size_t k = coefficients.size(); k-- > 0;) {
+    const mpz_class& c = coefficients[k];
+    if (c == 0) continue;
+    if (c > 0 && !text.empty()) text += "+";
+    if (k == 0 || abs(c) != 1) {
+      text += c.get_str() + (k > 0 ? "*" : "");
+    } else if (c < 0) {
+      text += "-";
+    }
+    if (k > 0) text += name + (k > 1 ? "^" + std::to_string(k) : "");
+  }
+  return text.empty() ? "0" : text;
+}
+
 }  // namespace epsnet

@@ -74,4 +74,7 @@ class NumberFieldReader {
   std::vector<RationalPolynomial> numbers_;
 };
 
+/// A polynomial with these coefficients, in the variable or number of this name, as NumberFieldReader reads it.
+[[nodiscard]] std::string polynomial_text(const std::vector<mpz_class>& coefficients, const std::string& name);
+
 }  // namespace epsnet

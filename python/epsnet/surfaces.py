@@ -646,7 +646,7 @@ class Surface(Drawn, Immutable):
 
     def isometric_to(self, other: "Surface", *, threads: int = 0, progress: Progress = None) -> Optional[SurfaceIsometry]:
         """An isometry to another surface, decided exactly; None if there is none: the genera differ, or the numbers of closed geodesics up to
-        some length, in two lists that are verified. The module decides, and there is no certificate. UndecidedError if neither is found, or the exact numbers of the two surfaces are of different kinds.
+        some length, in two lists that are verified. The module decides, and there is no certificate. UndecidedError if neither is found, or the exact numbers of the two surfaces are in no number field of degree 64 or less.
 
         >>> import epsnet
         >>> bolza = epsnet.Surface.regular(2)

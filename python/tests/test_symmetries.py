@@ -1,4 +1,6 @@
 """Isometries of a surface, and between two."""
+import decimal
+
 import pytest
 
 import epsnet
@@ -65,7 +67,7 @@ def test_isometric_surfaces(octagon, bolza):
     assert octagon.isometric_to(bolza) is None and octagon.isometric_to(Surface.named("klein")) is None
 
 
-def test_undecided_is_not_no(bolza):
+def test_surfaces_of_different_kinds_are_compared(bolza):
     # GL(2,3) as it permutes the eight vectors other than 0: octagons of which three meet at each vertex.
     x, y = (3, 7, 0, 4, 5, 1, 2, 6), (2, 5, 0, 3, 6, 1, 4, 7)
     elements = [tuple(range(8))]
@@ -75,5 +77,15 @@ def test_undecided_is_not_no(bolza):
             if product not in elements:
                 elements.append(product)
     rotation, edges = ([elements.index(tuple(h[k] for k in g)) for g in elements] for h in (x, y))
+    octagons = Surface.map(rotation, edges)
+    assert bolza.isometric_to(octagons) and octagons.isometric_to(bolza)
+
+
+def test_undecided_is_not_no(octagon):
+    # The surface nearest to 30 digits, of which all lengths agree to 16.
+    with decimal.localcontext() as context:
+        context.prec = 40
+        digits = [[[str(round(decimal.Decimal(x) / decimal.Decimal((a * d - b * c)).sqrt(), 28)) for x in row] for row in ((a, b), (c, d))]
+                  for (a, b), (c, d) in ([[int(x) for x in row] for row in m] for m in octagon.matrices()["generators"])]
     with pytest.raises(epsnet.UndecidedError):
-        bolza.isometric_to(Surface.map(rotation, edges))
+        octagon.isometric_to(Surface.from_matrices(digits))

@@ -107,18 +107,53 @@ TEST(ExactConjugacyOfWords, RotationsAndReflectionsOfARegularOctagon) {
   EXPECT_EQ(answer({{{{0}, {1}}}, {{{1}, {2}}}, {{{}, {3}}}}), false);
 }
 
-TEST(ExactConjugacyOfWords, NumbersOfDifferentRingsOrTooManyBitsAreNotCompared) {
+TEST(ExactConjugacyOfWords, NumbersOfTooManyBitsAreNotCompared) {
   const Surface octagon = random_octagon(5);
   const Surface regular = Surface::regular(2);
   const std::vector<ElementPair> pairs{{word_of_letters({0}), word_of_letters({0})},
                                        {word_of_letters({1}), word_of_letters({1})}};
-  EXPECT_EQ(are_conjugate(octagon, regular, pairs), std::nullopt);
   EXPECT_EQ(are_conjugate(octagon, octagon, pairs), true);
   for (const Surface& surface : {octagon, regular}) {
     const Word far(1'000'000, SideId(0));
     EXPECT_EQ(are_conjugate(surface, surface, std::vector<ElementPair>{pairs[0], pairs[1], {far, far}}), std::nullopt);
     EXPECT_EQ(axes_cross(surface, pairs[0].from, far), std::nullopt);
   }
+}
+
+// Against the isometry that was found, with its images changed, and against another surface.
+TEST(ExactConjugacyOfDifferentKinds, IsDecidedInACommonField) {
+  const Surface bolza = Surface::regular(2);
+  const Surface same =
+      surface_of_matrices(
+          parse_matrices("model su11\n1+sqrt(2) 0 sqrt(2+2*sqrt(2)) 0\n1+sqrt(2) 0 sqrt(1+sqrt(2)) sqrt(1+sqrt(2))\n"
+                         "1+sqrt(2) 0 0 sqrt(2+2*sqrt(2))\n1+sqrt(2) 0 -sqrt(1+sqrt(2)) sqrt(1+sqrt(2))\n"))
+          .surface;
+  const IsometricAnswer answer = isometric(bolza, same);
+  ASSERT_EQ(answer.kind, IsometricAnswer::Kind::yes);
+  const std::vector<Word> words = generator_words(bolza);
+  std::vector<ElementPair> pairs;
+  for (std::size_t k = 0; k < words.size(); ++k) pairs.push_back({words[k], answer.isometry->images[k]});
+  EXPECT_EQ(are_conjugate(bolza, same, pairs), true);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    std::vector<ElementPair> wrong = pairs;
+    wrong[k].to = reversed(same, pairs[k].to);
+    EXPECT_EQ(are_conjugate(bolza, same, wrong), false) << k;
+    wrong[k].to = concatenated(same, pairs[k].to, pairs[k].to);
+    EXPECT_EQ(are_conjugate(bolza, same, wrong), false) << k;
+  }
+  const Surface octagon = random_octagon(5);
+  const std::vector<Word> others = generator_words(octagon);
+  for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k].to = others[k];
+  EXPECT_EQ(are_conjugate(bolza, octagon, pairs), false);
+}
+
+TEST(ExactConjugacyOfDifferentKinds, IsNotDecidedInAFieldThatIsTooLarge) {
+  const Surface wiman = named_surface("wiman-50");
+  const Surface octagon = random_octagon(5);
+  const std::vector<Word> words = generator_words(wiman);
+  const std::vector<Word> others = generator_words(octagon);
+  const std::vector<ElementPair> pairs{{words[0], others[0]}, {words[1], others[1]}};
+  EXPECT_EQ(are_conjugate(wiman, octagon, pairs), std::nullopt);
 }
 
 }  // namespace

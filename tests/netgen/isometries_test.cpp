@@ -322,15 +322,50 @@ TEST(Isometric, AreMapsOfTheSameType) {
   expect_isometry(klein, klein, *answer.isometry);
 }
 
-TEST(Isometric, IsUndecidedWhereTheNumbersAreOfDifferentKinds) {
-  // The Bolza surface as a map of type {8, 3}, by two generators of GL(2,3) as they permute the vectors other than 0.
-  const Surface octagons = surface_of_map(map_of_group({3, 7, 0, 4, 5, 1, 2, 6}, {2, 5, 0, 3, 6, 1, 4, 7}));
-  ASSERT_EQ(octagons.genus(), 2U);
-  EXPECT_EQ(isometries(octagons).size(), 96U);
-  const IsometricAnswer answer = isometric(octagons, Surface::regular(2));
-  ASSERT_EQ(answer.kind, Kind::undecided);
-  expect_isometry(octagons, Surface::regular(2), *answer.isometry);
-  EXPECT_FALSE(answer.reason.empty());
+// The Bolza surface as a map of type {8, 3}, by two generators of GL(2,3) as they permute the vectors other than 0.
+Surface bolza_of_octagons() { return surface_of_map(map_of_group({3, 7, 0, 4, 5, 1, 2, 6}, {2, 5, 0, 3, 6, 1, 4, 7})); }
+
+TEST(Isometric, AreSurfacesWhoseNumbersAreOfDifferentKinds) {
+  EXPECT_EQ(isometries(bolza_of_octagons()).size(), 96U);
+  const std::vector<Surface> bolza{
+      Surface::regular(2), bolza_of_octagons(),
+      surface_of_matrices(
+          parse_matrices("model su11\n1+sqrt(2) 0 sqrt(2+2*sqrt(2)) 0\n1+sqrt(2) 0 sqrt(1+sqrt(2)) sqrt(1+sqrt(2))\n"
+                         "1+sqrt(2) 0 0 sqrt(2+2*sqrt(2))\n1+sqrt(2) 0 -sqrt(1+sqrt(2)) sqrt(1+sqrt(2))\n"))
+          .surface};
+  ASSERT_FALSE(bolza[2].is_rational() || bolza[2].is_regular());
+  // Regular heptagons, and F. Klein's polygon: one regular 14-gon.
+  const std::vector<Surface> klein{
+      named_surface("klein"), surface_of_map(parse_map(R"({"rotation": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 0],
+        "edges": [5, 10, 7, 12, 9, 0, 11, 2, 13, 4, 1, 6, 3, 8]})"))};
+  // The quartic x⁴ + y⁴ + z⁴ = 0 of octagons, and the surface of eight squares (F. Herrlich, G. Schmithüsen, An
+  // extraordinary origami curve, Math. Nachr. 281, 2008) as the map of type {4, 8} that its squares make.
+  const std::vector<Surface> fermat{named_surface("fermat-quartic"), Surface::map({4, 8}, {{0, 0, 6, 2},
+                                                                                           {0, 1, 1, 3},
+                                                                                           {0, 2, 2, 0},
+                                                                                           {0, 3, 5, 1},
+                                                                                           {1, 0, 7, 2},
+                                                                                           {1, 1, 4, 3},
+                                                                                           {1, 2, 3, 0},
+                                                                                           {2, 1, 7, 3},
+                                                                                           {2, 2, 4, 0},
+                                                                                           {2, 3, 3, 1},
+                                                                                           {3, 2, 5, 0},
+                                                                                           {3, 3, 6, 1},
+                                                                                           {4, 1, 5, 3},
+                                                                                           {4, 2, 6, 0},
+                                                                                           {5, 2, 7, 0},
+                                                                                           {6, 3, 7, 1}})};
+  for (const std::vector<Surface>& surfaces : {bolza, klein, fermat}) {
+    for (const Surface& from : surfaces) {
+      for (const Surface& to : surfaces) {
+        if (&from == &to) continue;
+        const IsometricAnswer answer = isometric(from, to);
+        ASSERT_EQ(answer.kind, Kind::yes) << from.about() << ", " << to.about() << ": " << answer.reason;
+        expect_isometry(from, to, *answer.isometry);
+      }
+    }
+  }
 }
 
 TEST(DeepIsometries, OfTheFrickeMacbeathCurve) {

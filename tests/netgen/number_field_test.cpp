@@ -67,7 +67,10 @@ TEST(NumberField, NumbersAreThoseOfTheirTexts) {
       {"root(x^2-x-1,-1)", 1 - golden},
       {"root(2*x^2-1,1)", std::sqrt(0.5)},
       {"sqrt(sqrt(2)+sqrt(3))", std::sqrt(std::sqrt(2) + std::sqrt(3))},
-      {"-(1-sqrt(7))^3", std::pow(std::sqrt(7) - 1, 3)}};
+      {"-(1-sqrt(7))^3", std::pow(std::sqrt(7) - 1, 3)},
+      {"-sqrt(3)^2", -3},
+      {"1-sqrt(3)^2*-2^2", 13},
+      {"root(-x^2+2,1)", std::sqrt(2)}};
   std::vector<std::string> texts;
   for (const auto& [text, value] : numbers) {
     EXPECT_NEAR(Read({text}).values[0], value, 1e-14) << text;

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/isometries/document.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
@@ -46,34 +45,5 @@ struct ElementPair {
 /// Requires: a document without structure problem, whose isometries are isometries.
 [[nodiscard]] std::uint64_t orbit_size(const SurfaceSides& sides, const IsometriesDocument& document,
                                        const Budget& budget);
-
-// Where the closed geodesics of a list cross, and what that says of isometries (docs/proof.md, Lemma 41).
-
-/// A point where a closed geodesic crosses one of a list, perhaps itself.
-struct CrossingPoint {
-  Ball along;           ///< From the beginning of the period, in the geodesic's direction.
-  Ball cosine;          ///< Of the angle from that direction, counterclockwise, to the line of the other one.
-  std::uint32_t other;  ///< The other one.
-};
-
-/// By closed geodesic, each given by one shortest period, no two the same: all points where it crosses one of them,
-/// once for each time that it passes. Nullopt if the precision is too low. O(chords, and the pairs in one triangle).
-[[nodiscard]] std::optional<std::vector<std::vector<CrossingPoint>>> crossing_points(
-    const MovedNet& net, std::span<const AxisCrossings> geodesics);
-
-/// What is known of the closed geodesics up to some length: of all, where they cross; and 2 arcosh of `cosh_half`.
-struct CrossingGeodesics {
-  std::vector<Ball> lengths;
-  std::vector<std::vector<CrossingPoint>> points;
-};
-
-/// A number that isometries do not exceed: how many frames there are to which one may take the frame of a geodesic at
-/// one of its points.
-[[nodiscard]] std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
-                                            std::size_t geodesic, std::size_t point);
-
-/// The work that this takes at most, for one point of the geodesic. O(geodesics).
-[[nodiscard]] double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
-                                      std::size_t geodesic);
 
 }  // namespace epsnet::certify
