@@ -15,7 +15,6 @@
 #include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/anchor_search.h"
-#include "netgen/exchange/gaussian_integers.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/surfaces/surfaces.h"

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "certify/base/text.h"
@@ -18,6 +20,7 @@
 #include "kernel/numbers.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"
+#include "triangulation/surface/exact_points.h"
 #include "triangulation/surface/surface.h"
 
 /// CGAL's text formats for closed hyperbolic surfaces (docs/exchange-formats.md): fundamental polygons, the "domain
@@ -178,5 +181,25 @@ struct TriangulationStream {
 /// Writes the text: each number as `p/q` or `p` in lowest terms, each triangle as CGAL writes it: a dart, the previous
 /// one, the next one. With an anchor for each triangle it is the format of CGAL's Delaunay class.
 void write_triangulation_stream(const TriangulationStream& stream, std::ostream& out);
+
+/// Returns two sides of a hyperbolic polygon that meet, other than consecutive sides in their common vertex; nullopt if
+/// the polygon is simple.
+///
+/// Exact: in the Klein model the sides are straight. O(n²) comparisons of machine integers; exact arithmetic only for
+/// sides whose bounding boxes meet.
+[[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> crossing_sides(
+    std::span<const KleinVector> polygon);
+
+/// A triangulation of a polygon by diagonals: the triangles, counterclockwise and none degenerate, and their gluing.
+struct PolygonTriangulation {
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Vertices of the polygon.
+  std::vector<Gluing> diagonals;                        ///< Triangles glued along the diagonals.
+  /// (triangle, side) of every side of the polygon.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> place_of_side;
+};
+
+/// Triangulates a simple counterclockwise polygon, straight angles allowed, by ear clipping (Meisters 1975). Exact and
+/// deterministic. O(n²).
+[[nodiscard]] PolygonTriangulation clip_ears(std::span<const KleinVector> polygon);
 
 }  // namespace epsnet

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "certify/claims/bound/element.h"
+#include "certify/claims/bound/triangles.h"
 
 /// Displacements of isometries that are not known exactly.
 namespace epsnet::certify::bound_element_test {

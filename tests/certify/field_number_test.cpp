@@ -134,6 +134,23 @@ TEST(NumberFields, MakeIsometriesOfDeterminant1) {
   EXPECT_FALSE(is_identity(f));
 }
 
+// f/f₀ for f = f₀, and with one of the other three real coefficients not 0; reducible polynomials as well, where 0 is
+// not only the polynomial 0.
+TEST(NumberFields, TellTheIdentityFromIsometriesThatAreNear) {
+  for (const Root& root : kRoots) {
+    const NumberField field(root.f, {root.lower, root.upper});
+    const FieldNumber scale = field_number(field, Coefficients{5, 3});
+    const FieldNumber zero = field_number(field, root.f);
+    EXPECT_TRUE(is_identity(Isometry<FieldNumber>{scale, zero}));
+    EXPECT_TRUE(is_identity(Isometry<FieldNumber>{scale + Gaussian{0, 1} * zero, zero + Gaussian{0, 1} * zero}));
+    const FieldNumber one = field_number(field, Gaussian{1, 0});
+    const FieldNumber i = field_number(field, Gaussian{0, 1});
+    EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale + i, zero}));
+    EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale, one}));
+    EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale, i}));
+  }
+}
+
 TEST(NumberFields, TakeTheirWorkOffTheBudget) {
   const NumberField field({-2, 0, 1}, {1, 2}, Budget(10'000));
   FieldNumber x = field_number(field, Coefficients{3, 7});

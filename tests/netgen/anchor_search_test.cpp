@@ -9,7 +9,6 @@
 
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/exchange/gaussian_integers.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/surfaces.h"

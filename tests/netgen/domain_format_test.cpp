@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "certify/file/reader.h"
-#include "netgen/exchange/ear_clipping.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/surfaces/surfaces.h"

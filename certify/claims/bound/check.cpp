@@ -9,7 +9,6 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
-#include "certify/claims/bound/element.h"
 #include "certify/claims/bound/fields.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/claims/net/claim.h"

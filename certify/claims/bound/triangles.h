@@ -2,15 +2,125 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
+#include "certify/lifted/lifted_plane.h"
 #include "certify/numbers/ball.h"
+#include "certify/numbers/budget.h"
 #include "certify/numbers/interval_arithmetic.h"
+#include "certify/numbers/isometry.h"
 
 /// Triangulations with one vertex at a point, by numbers alone: the sinh²(d/2) of their edges (docs/proof.md, section
 /// 15). In balls, which round to the precision of the caller, or in intervals of binary64.
 namespace epsnet::certify {
+
+// How far an isometry moves a point (docs/proof.md, section 15).
+
+/// An element g at one precision: sinh²(d(p, gp)/2) = square + ⟨normal, p⟩² for unit vectors p, as the normal of the
+/// axis has the square sinh²(l/2).
+struct Element {
+  BallIsometry isometry;
+  BallVector normal_row;
+  Ball square;
+};
+
+/// Contains what is true of every isometry in the ball.
+[[nodiscard]] Element element_of(BallIsometry isometry, slong precision);
+
+/// sinh²(d(p, gp)/2), p a unit vector of the hyperboloid.
+[[nodiscard]] Ball displacement(const Element& element, const BallVector& p, slong precision);
+
+/// Elements of the group of a surface, each kept once wherever balls tell that it comes again, as the same product or
+/// another one. One that has lost bits is enclosed anew, where balls tell a path to it along the edges of a Delaunay
+/// triangulation. Then a long chain of products is about as precise as the way straight to each of its elements.
+class Elements {
+ public:
+  /// 2k is element k, 2k + 1 its inverse.
+  using Id = std::uint32_t;
+
+  /// A point of the surface, and at most sinh²(d/2) of its shortest loop: who moves it less is the identity. The edges
+  /// at it are for paths, one dart of each; without them there are none.
+  Elements(BallVector point, Ball shortest_loop, const std::vector<BallIsometry>& edges, slong precision,
+           Budget budget = {});
+
+  [[nodiscard]] Id add(BallIsometry g);
+  /// Whether balls told so far of each element whether it is known.
+  [[nodiscard]] bool all_told() const { return all_told_; }
+  [[nodiscard]] const Element& element(Id id) const;
+  [[nodiscard]] BallIsometry isometry(Id id) const;
+
+ private:
+  /// A step along an edge, and where it leads from the point.
+  struct Step {
+    BallIsometry isometry;
+    BallVector end;
+    std::array<double, 3> nearly;  ///< The end, rounded.
+  };
+
+  /// Whether balls tell that two elements are equal.
+  [[nodiscard]] bool are_equal(const BallIsometry& f, const BallIsometry& g) const;
+  /// The product of steps to an element, each to the end that is nearest to the image of the point; g itself if balls
+  /// do not tell that they lead there.
+  [[nodiscard]] BallIsometry enclosed_along_edges(BallIsometry g) const;
+
+  BallVector point_;
+  Ball shortest_loop_;
+  std::vector<Step> steps_;
+  slong precision_;
+  Budget budget_;
+  std::vector<Element> elements_;
+  bool all_told_ = true;
+  std::multimap<double, std::uint32_t> by_number_;  ///< By a number that equal ones have nearly in common.
+};
+
+// Displacements in intervals of binary64 (docs/proof.md, section 15). Far from the centre of the disk they would have
+// few digits; so points and elements are moved to where the points are near it.
+
+/// Coordinates with a point of the hyperboloid as the centre.
+class Frame {
+ public:
+  using Point = std::array<Interval, 3>;
+
+  Frame(const BallVector& origin, slong precision);
+
+  /// The cosh of the distance of a point from the centre.
+  [[nodiscard]] Interval cosh_distance(const BallVector& p) const;
+  [[nodiscard]] Point point(const BallVector& p) const;
+  /// sinh²(d(p, gp)/2) of element g, whose number is k in all calls.
+  [[nodiscard]] Interval displacement(std::uint32_t k, const Element& element, const Point& p);
+  /// Elements that were moved here so far.
+  [[nodiscard]] std::size_t elements() const { return elements_.size(); }
+
+ private:
+  struct Axis {
+    Point row;
+    Interval square;
+  };
+
+  slong precision_;
+  BallMatrix to_frame_;
+  BallMatrix from_frame_;
+  std::unordered_map<std::uint32_t, Axis> elements_;  ///< By number.
+};
+
+/// The frames of some cells, made where points are.
+class Frames {
+ public:
+  explicit Frames(slong precision) : precision_(precision) {}
+
+  /// A frame near the point, the same until the next call.
+  [[nodiscard]] Frame& near(const BallVector& p);
+  [[nodiscard]] std::size_t size() const { return frames_.size(); }
+
+ private:
+  slong precision_;
+  std::deque<Frame> frames_;
+  std::size_t last_ = 0;
+};
 
 // Triangulations as combinatorial data, and what makes one of another (docs/proof.md, section 15).
 

@@ -7,7 +7,7 @@
 #include "certify/claims/isometries/fields.h"
 #include "certify/claims/isometries/frames.h"
 #include "certify/claims/net/claim.h"
-#include "certify/lifted/lorentz.h"
+#include "certify/lifted/lifted_plane.h"
 #include "certify/net/structure.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
