@@ -107,7 +107,7 @@ IsometriesDocument document_of(const Surface& surface, const IsometryGroup& grou
   result.cocycle = random_cocycle(surface);
   const Substitution image_of(surface);
   for (const std::uint32_t g : group.generators()) {
-    const SurfaceIsometry& f = group.isometries()[g];
+    const SurfaceIsometry f = group.isometry(g);
     IsometriesDocument::Isometry& isometry = result.isometries.emplace_back();
     isometry.preserves_orientation = f.preserves_orientation;
     for (const Word& word : pair) isometry.images.push_back(letters_of(image_of(word, f.images)));
