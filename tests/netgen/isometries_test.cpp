@@ -192,6 +192,20 @@ TEST(Isometries, OfAMapOfManyTilesAreProved) {
   EXPECT_EQ(certificate.claim, "the surface has exactly 240 isometries, half of which preserve the orientation");
 }
 
+TEST(Isometries, OfAChiralMapAndOfCoversAreProved) {
+  const Surface chiral = load_surface(std::string(EPSNET_TEST_DATA) + "/isometries/chiral-11.json");
+  const IsometryGroup group = isometries(chiral);
+  EXPECT_EQ(group.size(), 160U);
+  EXPECT_EQ(group.orientation_preserving(), 160U);
+  expect_group(chiral, group);
+  expect_proof(chiral, group);
+  const Surface base = named_surface("bolza");
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Surface surface = cover(base, random_sheets(base, 5, seed));
+    expect_proof(surface, isometries(surface));
+  }
+}
+
 /// An octagon cut along the diagonal between corners 0 and 4, both halves moved, and tile 1 named first.
 Surface cut_octagon(const Surface& octagon) {
   const Tile& corners = octagon.tiles()[0];
