@@ -123,9 +123,23 @@ Point<R> NetRules<R>::corner(Index dart) {
 }
 
 template <class R>
+const Isometry<RoughInterval>& NetRules<R>::rough_label(Index number_of_label) {
+  const auto [found, is_new] = rough_labels_.try_emplace(number_of_label);
+  if (is_new && number_of_label != 0) found->second = rough(label(number_of_label));
+  return found->second;
+}
+
+template <class R>
+Point<RoughInterval> NetRules<R>::rough_corner(Index dart) {
+  const Point<RoughInterval> z = rough(net().vertices[start(dart)].z);
+  return label_number(dart) == 0 ? z : exact::image(rough_label(label_number(dart)), z);
+}
+
+template <class R>
 void NetRules<R>::check_orientation() {
   for (Index t = 0; t < net().triangles.size(); ++t) {
-    if (orientation(corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)) <= 0) {
+    if (certain_sign(area(rough_corner(3 * t), rough_corner(3 * t + 1), rough_corner(3 * t + 2))) > 0) continue;
+    if (sgn(area(corner(3 * t), corner(3 * t + 1), corner(3 * t + 2))) <= 0) {
       throw Refutation{triangle_name(t) + " is not strictly counterclockwise"};
     }
   }
@@ -143,23 +157,66 @@ Point<R> NetRules<R>::far_corner(Index dart) {
 }
 
 template <class R>
+Point<RoughInterval> NetRules<R>::rough_far_corner(Index dart) {
+  const Index other = opposite(dart);
+  const Point<RoughInterval> far = rough_corner(previous(other));
+  const Index here = label_number(dart);
+  const Index there = label_number(next(other));
+  if (here == there) return far;
+  return exact::image(compose(rough_label(here), inverse(rough_label(there))), far);
+}
+
+namespace {
+
+/// Lemma 3.1: the determinant with the rows (x, y, |z|², 1) of the ends p and q of an edge, the third corner r of the
+/// triangle and the far corner; the last one is taken for the origin. Not positive if the edge is Delaunay.
+template <class R>
+R delaunay_determinant(const Point<R>& p, const Point<R>& q, const Point<R>& r, const Point<R>& far) {
+  struct Row {
+    Complex<R> z;
+    R square;
+  };
+  const auto row = [&](const Point<R>& z) {
+    const Complex<R> difference = far.m * z.n - z.m * far.n;
+    return Row{R(z.m * far.m) * difference, norm(difference)};
+  };
+  const auto minor = [](const Row& u, const Row& v) { return R(u.z.re * v.z.im - u.z.im * v.z.re); };
+  const Row u = row(p);
+  const Row v = row(q);
+  const Row w = row(r);
+  return minor(u, v) * w.square + minor(v, w) * u.square + minor(w, u) * v.square;
+}
+
+/// Of a triangle: (∗∗), 4 d₀ d₁ d₂/discriminant is sinh² of the circumradius if the discriminant is positive, and if
+/// not there is no circumcircle.
+template <class R>
+struct CircumradiusQuotient {
+  R numerator;
+  R discriminant;
+
+  explicit CircumradiusQuotient(const std::array<Point<R>, 3>& z) {
+    const std::array<R, 3> d{squared_difference(z[0], z[1]), squared_difference(z[1], z[2]),
+                             squared_difference(z[2], z[0])};
+    const R x = d[0] * gap(z[2]);
+    const R y = d[1] * gap(z[0]);
+    const R w = d[2] * gap(z[1]);
+    const R sum = x + y - w;
+    discriminant = 4 * x * y - sum * sum;
+    numerator = 4 * d[0] * d[1] * d[2];
+  }
+};
+
+}  // namespace
+
+template <class R>
 void NetRules<R>::check_delaunay() {
   for (Index dart = 0; dart < darts(); ++dart) {
     if (opposite(dart) < dart) continue;
-    const Point<R> far = far_corner(dart);
-    struct Row {
-      Complex<R> z;
-      R square;
-    };
-    const auto row = [&](const Point<R>& z) {
-      const Complex<R> difference = far.m * z.n - z.m * far.n;
-      return Row{R(z.m * far.m) * difference, norm(difference)};
-    };
-    const Row p = row(corner(dart));
-    const Row q = row(corner(next(dart)));
-    const Row r = row(corner(previous(dart)));
-    const auto area = [](const Row& u, const Row& v) { return R(u.z.re * v.z.im - u.z.im * v.z.re); };
-    if (sgn(R(area(p, q) * r.square + area(q, r) * p.square + area(r, p) * q.square)) > 0) {
+    if (certain_sign(delaunay_determinant(rough_corner(dart), rough_corner(next(dart)), rough_corner(previous(dart)),
+                                          rough_far_corner(dart))) < 0) {
+      continue;
+    }
+    if (sgn(delaunay_determinant(corner(dart), corner(next(dart)), corner(previous(dart)), far_corner(dart))) > 0) {
       throw Refutation{edge_name(dart) + " is not Delaunay"};
     }
   }
@@ -167,21 +224,26 @@ void NetRules<R>::check_delaunay() {
 
 template <class R>
 Answer NetRules<R>::circumradius_is_less(Index t, const SquaredSinh& s) {
-  const std::array<Point<R>, 3> z{corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)};
-  const std::array<R, 3> d{squared_difference(z[0], z[1]), squared_difference(z[1], z[2]),
-                           squared_difference(z[2], z[0])};
-  const R x = d[0] * gap(z[2]);
-  const R y = d[1] * gap(z[0]);
-  const R w = d[2] * gap(z[1]);
-  const R sum = x + y - w;
-  const R discriminant = 4 * x * y - sum * sum;
-  if (sgn(discriminant) <= 0) return Answer::no;
-  // (∗∗): 4 d₀ d₁ d₂ < sinh² · discriminant.
-  return is_less(R(4 * d[0] * d[1] * d[2]), discriminant, s);
+  const CircumradiusQuotient<RoughInterval> rough_quotient(
+      {rough_corner(3 * t), rough_corner(3 * t + 1), rough_corner(3 * t + 2)});
+  if (certain_sign(rough_quotient.discriminant) > 0) {
+    if (s.infinite) return Answer::yes;
+    const Answer answer = is_less(rough_quotient.numerator, rough_quotient.discriminant, rough(s));
+    if (answer != Answer::unknown) return answer;
+  }
+  const CircumradiusQuotient<R> quotient({corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)});
+  if (sgn(quotient.discriminant) <= 0) return Answer::no;
+  return is_less(quotient.numerator, quotient.discriminant, s);
 }
 
 template <class R>
 Answer NetRules<R>::half_edge_is_less(Index dart, const SquaredSinh& s) {
+  if (!s.infinite) {
+    const Point<RoughInterval> p = rough_corner(dart);
+    const Point<RoughInterval> q = rough_corner(next(dart));
+    const Answer answer = is_less(squared_difference(p, q), gap(p) * gap(q), rough(s));
+    if (answer != Answer::unknown) return answer;
+  }
   const Point<R> p = corner(dart);
   const Point<R> q = corner(next(dart));
   return is_less(squared_difference(p, q), R(gap(p) * gap(q)), s);

@@ -14,6 +14,7 @@
 #include "certify/exact/net_structure.h"
 #include "certify/exact/number_field.h"
 #include "certify/exact/plane.h"
+#include "certify/exact/rough_interval.h"
 
 /// The rules of nets and pseudo nets, in the order of docs/proof.md.
 namespace epsnet::exact {
@@ -80,8 +81,12 @@ class NetRules : public NetStructure {
   void check_orientation();
   /// The corner of the neighbour across the dart that is not on it, in the chart of the dart's triangle.
   Point<R> far_corner(Index dart);
-  /// Lemma 3.1: the sign of the determinant with the rows (x, y, |z|², 1) of the edge's two ends, the third corner of
-  /// the triangle and the far corner; the last one is taken for the origin.
+
+  // The same in intervals of a few digits. Factors of numbers that belong together do not matter.
+
+  const Isometry<RoughInterval>& rough_label(Index number_of_label);
+  Point<RoughInterval> rough_corner(Index dart);
+  Point<RoughInterval> rough_far_corner(Index dart);
   void check_delaunay();
   void check_covering();
   void check_packing();
@@ -94,6 +99,7 @@ class NetRules : public NetStructure {
   std::vector<Isometry<R>> crossings_;  ///< By side.
   std::int64_t euler_ = 0;
   std::map<Index, Isometry<R>> labels_;
+  std::map<Index, Isometry<RoughInterval>> rough_labels_;
   std::size_t bits_left_;
   std::vector<bool> in_collar_;      ///< By triangle.
   std::map<Index, Index> partners_;  ///< Of each vertex of a collar, the other one.

@@ -93,10 +93,10 @@ MinkowskiVector<R> minkowski_vector(const Point<R>& z) {
   return {2 * z.m * z.n.re, 2 * z.m * z.n.im, z.m * z.m + norm(z.n)};
 }
 
-/// 1 for counterclockwise.
+/// Positive for counterclockwise.
 template <class R>
-int orientation(const Point<R>& u, const Point<R>& v, const Point<R>& w) {
-  return sgn(determinant(minkowski_vector(u), minkowski_vector(v), minkowski_vector(w)));
+R area(const Point<R>& u, const Point<R>& v, const Point<R>& w) {
+  return determinant(minkowski_vector(u), minkowski_vector(v), minkowski_vector(w));
 }
 
 /// z ↦ (az + b)/(b̄z + ā), |a| > |b|; real multiples are the same.

@@ -107,7 +107,7 @@ IsometriesDocument document_of(const Surface& surface, const IsometryGroup& grou
   result.cocycle = random_cocycle(surface);
   const Substitution image_of(surface);
   for (const std::uint32_t g : group.generators()) {
-    const SurfaceIsometry& f = group.isometries()[g];
+    const SurfaceIsometry f = group.isometry(g);
     IsometriesDocument::Isometry& isometry = result.isometries.emplace_back();
     isometry.preserves_orientation = f.preserves_orientation;
     for (const Word& word : pair) isometry.images.push_back(letters_of(image_of(word, f.images)));
@@ -123,7 +123,10 @@ IsometriesDocument document_of(const Surface& surface, const IsometryGroup& grou
 
 Certified<IsometriesDocument> certified_isometries(const Surface& surface, const IsometryGroup& group,
                                                    const IsometryOptions& options) {
-  constexpr int kMostTries = 5;
+  // Short lists may become longer: those of covers often do not join all parts of the surface.
+  constexpr int kMostTries = 9;
+  constexpr int kMostTriesOfALongList = 5;
+  constexpr std::size_t kLongList = 200;
   constexpr double kStep = 0.5;
   constexpr long kMostBits = 1024;
   IsometriesDocument document = document_of(surface, group);
@@ -136,7 +139,8 @@ Certified<IsometriesDocument> certified_isometries(const Surface& surface, const
       return {std::move(document), std::move(certificate)};
     } catch (const NotCertifiedError& error) {
       // Only that there are no others depends on how many closed geodesics there are.
-      if (error.certificate().rule != "most" || tries == kMostTries) throw;
+      const int most = document.geodesics.size() > kLongList ? kMostTriesOfALongList : kMostTries;
+      if (error.certificate().rule != "most" || tries >= most) throw;
     }
     GeodesicsOptions geodesics;
     geodesics.threads = options.threads;

@@ -11,27 +11,44 @@
 /// What isometries preserve: the homology of a surface, and the lengths of its closed geodesics.
 namespace epsnet {
 
-/// The first homology of a surface, over a field of prime order, as the quotient of the side pairings of its
-/// fundamental polygon by its relations.
+/// The first homology of a surface, over the field of p = 2³¹ − 1 elements: that of the side pairings of its
+/// fundamental polygon, up to the relations.
 class Homology {
  public:
-  /// O(n³) for n side pairings.
+  /// Numbers modulo p, from 0 on.
+  using Vector = std::vector<std::uint64_t>;
+  static constexpr std::uint64_t kPrime = (std::uint64_t{1} << 31) - 1;
+
+  /// O(sides × genus).
   explicit Homology(const Surface& surface);
 
-  /// The trace of the map that takes the classes of some words to those of their images, words from tile 0 to itself.
-  /// Requires: `words` are those of the sides k of fundamental_polygon with k < partner, in order; the trace is less
-  /// than 10⁹.
-  [[nodiscard]] std::int64_t trace(const std::vector<Word>& words, const std::vector<Word>& images) const;
+  /// 2 × genus.
+  [[nodiscard]] std::size_t dimension() const { return basis_.size(); }
+  /// The numbers of pairs of sides k < partner of fundamental_polygon, in order, of which the classes are the basis.
+  [[nodiscard]] const std::vector<std::size_t>& basis() const { return basis_; }
+  /// Returns the class of a word from tile 0 to itself. O(letters + pairs × genus).
+  [[nodiscard]] Vector class_of(const Word& word) const;
 
  private:
-  using Row = std::vector<std::int64_t>;
-  [[nodiscard]] Row class_of(const Word& word) const;
-
-  std::size_t pairs_ = 0;
   ById<SideId, std::int64_t> sign_;  ///< 1 or −1 if a side of the surface is a side of the polygon, else 0,
   ById<SideId, std::size_t> pair_;   ///< and of which pair.
-  std::vector<Row> relations_;       ///< Reduced: row i has a 1 at pivots_[i], where all others have 0.
-  std::vector<std::size_t> pivots_;
+  std::vector<std::size_t> basis_;
+  std::vector<Vector> coordinates_;  ///< By pair.
+};
+
+/// A linear map of the homology of a surface to itself.
+class HomologyMap {
+ public:
+  /// Of the isometry that takes some words to their images. Requires: words of all pairs of sides, in order.
+  HomologyMap(const Homology& homology, const std::vector<Word>& words, const std::vector<Word>& images);
+
+  /// The image of a class. O(genus²).
+  [[nodiscard]] Homology::Vector operator()(const Homology::Vector& vector) const;
+  /// The trace. Requires: it is less than 10⁹.
+  [[nodiscard]] std::int64_t trace() const;
+
+ private:
+  std::vector<Homology::Vector> columns_;
 };
 
 /// What tells two surfaces apart, in words: a length ℓ such that one of them certainly has more primitive closed

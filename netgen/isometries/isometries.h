@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,13 +33,16 @@ struct SurfaceIsometry {
 /// The words of these generators: paths from tile 0 to itself. O(sides) but for the letters.
 [[nodiscard]] std::vector<Word> generator_words(const Surface& surface);
 
-/// The isometries of a surface, a group.
+/// The isometries of a surface, a group. Copies share what does not change.
 class IsometryGroup {
  public:
-  /// Number 0 is the identity.
-  [[nodiscard]] const std::vector<SurfaceIsometry>& isometries() const { return isometries_; }
-  /// The order of the group.
-  [[nodiscard]] std::size_t size() const { return isometries_.size(); }
+  /// The order of the group. Isometry 0 is the identity.
+  [[nodiscard]] std::size_t size() const { return steps_.size(); }
+  /// An isometry, by its number. It is computed here: a walk through the tiles for each generator of the surface's
+  /// group. Throws LimitError if its numbers are too large.
+  [[nodiscard]] SurfaceIsometry isometry(std::uint32_t i) const;
+  /// Whether it preserves the orientation.
+  [[nodiscard]] bool preserves_orientation(std::uint32_t i) const { return preserves_[i]; }
   /// How many preserve the orientation.
   [[nodiscard]] std::size_t orientation_preserving() const;
   /// The numbers of isometries that generate all.
@@ -60,16 +64,22 @@ class IsometryGroup {
 
  private:
   friend IsometryGroup isometries(const Surface& surface, const struct IsometryOptions& options);
+  struct Lifts;
+  class Builder;
 
-  std::vector<SurfaceIsometry> isometries_;
+  /// The places of generators of which an isometry is the product, the first one applied first.
+  [[nodiscard]] std::vector<std::uint32_t> factors(std::uint32_t i) const;
+
+  std::shared_ptr<const Lifts> lifts_;
   std::vector<std::uint32_t> generators_;
-  std::vector<Permutation> action_;  ///< By generator g and isometry j: g after j.
+  std::vector<std::vector<std::uint32_t>> action_;  ///< By generator g and isometry j: g after j.
   /// By isometry other than the identity: it is a generator, by its place, after another isometry.
   struct Step {
     std::uint32_t generator;
     std::uint32_t then;
   };
   std::vector<Step> steps_;
+  std::vector<bool> preserves_;
   std::vector<std::optional<std::uint64_t>> fixed_points_;
   certify::GeodesicsDocument geodesics_;
 };
@@ -84,13 +94,14 @@ struct IsometryOptions {
 /// is less than 0.01.
 ///
 /// Time is about that of the spectrum up to the length of the systole, or 4, and some e^d steps for each closed
-/// geodesic that is as long as the one that is chosen, where d is the length of a shortest loop across it.
+/// geodesic that is as long as the one that is chosen, up to symmetries of the tiles, where d is the length of a
+/// shortest loop across it.
 [[nodiscard]] IsometryGroup isometries(const Surface& surface, const IsometryOptions& options = {});
 
 /// Returns the isometry group of a surface as a file, proved: with the closed geodesics from which the isometries were
 /// told, or longer ones until they leave room for no other isometry. Throws NotCertifiedError if closed geodesics that
-/// are 2 longer do not suffice, and as `isometries`. Time is that of the spectrum and its certificate, and the exact
-/// examination of the group's generators.
+/// are 2 longer do not suffice, or 4 if they are few, and as `isometries`. Time is that of the spectrum and its
+/// certificate, and the exact examination of the group's generators.
 [[nodiscard]] Certified<certify::IsometriesDocument> certified_isometries(const Surface& surface,
                                                                           const IsometryGroup& group,
                                                                           const IsometryOptions& options = {});

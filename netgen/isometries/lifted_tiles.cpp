@@ -135,7 +135,7 @@ LiftedTiles::Elements LiftedTiles::elements(TileId tile, const Vector& point, do
   Elements result;
   result.surface_ = &surface_;
   result.start_ = walk(tile, point);
-  const TileId home = result.start_.empty() ? tile : surface_.tile_of_side(surface_.partner(result.start_.back()));
+  const TileId home = end_of(tile, result.start_);
   const Isometry<Number> to_point = normalized(Isometry<Number>::translation(in_disk(point)));
   const Isometry<Number> home_frame = value(result.start_) * to_point;
   const auto to_home = convert<DoubleDouble>(home_frame);

@@ -91,8 +91,17 @@ class LiftedTiles {
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// The value of a word (group.h), of determinant 1.
   [[nodiscard]] Isometry<Number> value(const Word& word) const;
+  /// The tile where a path from a tile ends.
+  [[nodiscard]] TileId end_of(TileId start, const Word& way) const {
+    return way.empty() ? start : surface_.tile_of_side(surface_.partner(way.back()));
+  }
   /// A point inside of a tile.
   [[nodiscard]] const Vector& centre(TileId tile) const { return centres_[tile]; }
+
+  /// The unit normal of a side, in the coordinates of its tile: positive inside.
+  [[nodiscard]] const Vector& line(SideId side) const { return sides_[side].line; }
+  /// From the coordinates of the tile of a side to those of the tile across.
+  [[nodiscard]] const Isometry<Number>& crossing(SideId side) const { return sides_[side].crossing; }
 
   /// Returns a path from a tile to the one that contains a point, which is given in the coordinates of the first tile.
   /// Throws LimitError if it is too long.

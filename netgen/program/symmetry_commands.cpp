@@ -84,7 +84,7 @@ Json group_json(const IsometryGroup& group, const std::vector<Word>& words) {
   json["generators"] = group.generators();
   json["isometries"] = Json::array();
   for (std::uint32_t i = 0; i < group.size(); ++i) {
-    Json& entry = json["isometries"].emplace_back(isometry_json(group.isometries()[i]));
+    Json& entry = json["isometries"].emplace_back(isometry_json(group.isometry(i)));
     entry["order"] = group.order(i);
     if (const auto count = group.fixed_points(i)) entry["fixed_points"] = *count;
   }
@@ -99,8 +99,7 @@ std::string group_text(const IsometryGroup& group, const std::vector<Word>& word
   std::map<std::tuple<bool, std::uint32_t, std::int64_t>, std::size_t> kinds;
   for (std::uint32_t i = 0; i < group.size(); ++i) {
     const auto points = group.fixed_points(i);
-    ++kinds[{!group.isometries()[i].preserves_orientation, group.order(i),
-             points ? static_cast<std::int64_t>(*points) : -1}];
+    ++kinds[{!group.preserves_orientation(i), group.order(i), points ? static_cast<std::int64_t>(*points) : -1}];
   }
   for (const auto& [kind, count] : kinds) {
     const auto& [reverses, order, points] = kind;
@@ -109,9 +108,9 @@ std::string group_text(const IsometryGroup& group, const std::vector<Word>& word
     out << '\n';
   }
   for (const std::uint32_t g : group.generators()) {
-    out << "generator " << g << ": order " << group.order(g) << ", "
-        << orientation_text(group.isometries()[g].preserves_orientation) << '\n';
-    write_images(out, words, group.isometries()[g]);
+    out << "generator " << g << ": order " << group.order(g) << ", " << orientation_text(group.preserves_orientation(g))
+        << '\n';
+    write_images(out, words, group.isometry(g));
   }
   return out.str();
 }

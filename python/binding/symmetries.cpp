@@ -39,7 +39,7 @@ void bind_isometries(py::module_& module) {
                  callback);
            })
       .def("__len__", &IsometryGroup::size)
-      .def("isometry", [plain](const IsometryGroup& self, std::uint32_t i) { return plain(self.isometries().at(i)); })
+      .def("isometry", [plain](const IsometryGroup& self, std::uint32_t i) { return plain(self.isometry(i)); })
       .def("product", &IsometryGroup::product)
       .def("permutation", &IsometryGroup::permutation)
       .def("order", &IsometryGroup::order)

@@ -3031,6 +3031,12 @@ def involution_left_out():
     return isometries(isometries=[], order=1)
 
 
+@forgery("UNDECIDED: most")
+def isometries_of_a_cover_left_out():
+    """A cover of the Bolza surface is said to have no isometry but the identity: where its geodesics are followed, it has one."""
+    return isometries("cover-of-bolza", isometries=[], order=1)
+
+
 @refuted("most")
 def isometries_of_a_higher_order():
     """The Bolza surface is said to have 97 isometries."""

@@ -195,6 +195,34 @@ TEST(Isometries, WithoutTheInvolutionTheGroupIsUndecided) {
   EXPECT_EQ(outcome(document), "UNDECIDED: most");
 }
 
+/// What is said of a file in which nothing but the identity is left.
+std::string message_of_the_identity(Document document) {
+  document.isometries.clear();
+  document.order = 1;
+  const Certificate certificate = check(document, {.threads = 2, .max_precision = 128});
+  EXPECT_EQ(certificate.rule, "most");
+  return certificate.message;
+}
+
+TEST(Isometries, AreFollowedWhereOneGeodesicLooksTheSame) {
+  // On the chiral surface T11.2 of Conder's list, what is seen along one geodesic has twice as many symmetries.
+  EXPECT_EQ(outcome(read("chiral-11")), "VERIFIED");
+  EXPECT_EQ(outcome(read("cover-of-bolza")), "VERIFIED");
+  Document document = read("chiral-11");
+  document.isometries.pop_back();
+  document.order = static_cast<std::uint32_t>(orbit_size(SurfaceSides(document.net.surface), document, {}));
+  ASSERT_LT(document.order, 160U);
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+}
+
+TEST(Isometries, AreNotLostWhereTheyAreFollowed) {
+  // All are followed to all geodesics, as there are too many of them.
+  EXPECT_EQ(message_of_the_identity(read("chiral-11")), "there are at most 160, with 128 bits");
+  EXPECT_EQ(message_of_the_identity(read("cover-of-bolza")), "there are at most 2, with 128 bits");
+  EXPECT_EQ(message_of_the_identity(bolza()), "there are at most 96, with 128 bits");
+  EXPECT_EQ(message_of_the_identity(octagon()), "there are at most 2, with 128 bits");
+}
+
 TEST(Isometries, LessThanTheOrderIsRefuted) {
   Document document = bolza();
   document.order = 192;

@@ -46,7 +46,8 @@ TEST_P(ExactConjugacy, IsWhatTheCheckerSays) {
   int others = 0;
   for (std::size_t i = 0; i < group.size(); i += step) {
     std::vector<ElementPair> pairs;
-    for (std::size_t k = 0; k < words.size(); ++k) pairs.push_back({words[k], group.isometries()[i].images[k]});
+    const SurfaceIsometry isometry = group.isometry(static_cast<std::uint32_t>(i));
+    for (std::size_t k = 0; k < words.size(); ++k) pairs.push_back({words[k], isometry.images[k]});
     EXPECT_EQ(are_conjugate(surface, surface, pairs), true) << i;
     EXPECT_EQ(checked(crossings, pairs), true) << i;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -82,8 +82,7 @@ void expect_group(const Surface& surface, const IsometryGroup& group) {
     EXPECT_EQ(p[0], i);
     fixed += static_cast<std::int64_t>(group.fixed_points(i).value_or(0));
     const std::uint32_t j = (7 * i + 3) % count;
-    EXPECT_EQ(group.isometries()[p[j]].preserves_orientation,
-              group.isometries()[i].preserves_orientation == group.isometries()[j].preserves_orientation);
+    EXPECT_EQ(group.preserves_orientation(p[j]), group.preserves_orientation(i) == group.preserves_orientation(j));
   }
   const auto preserving = static_cast<std::int64_t>(group.orientation_preserving());
   const std::int64_t rest = 2 * std::int64_t{surface.genus()} - 2 - fixed;
@@ -113,7 +112,7 @@ TEST_P(KnownGroup, HasTheOrderOfTheLiterature) {
   EXPECT_EQ(group.size(), GetParam().all);
   expect_group(surface, group);
   expect_proof(surface, group);
-  for (const std::uint32_t g : group.generators()) expect_isometry(surface, surface, group.isometries()[g]);
+  for (const std::uint32_t g : group.generators()) expect_isometry(surface, surface, group.isometry(g));
 }
 
 INSTANTIATE_TEST_SUITE_P(Isometries, KnownGroup,
@@ -145,7 +144,7 @@ TEST(Isometries, OfARandomOctagonAreTheHyperellipticInvolution) {
     const Surface surface = random_octagon(seed);
     const IsometryGroup group = isometries(surface);
     ASSERT_EQ(group.size(), 2U) << "seed " << seed;
-    EXPECT_TRUE(group.isometries()[1].preserves_orientation);
+    EXPECT_TRUE(group.preserves_orientation(1));
     EXPECT_EQ(group.fixed_points(1), 6U);
     EXPECT_EQ(group.name(), "C2");
     if (seed < 20) expect_proof(surface, group);
@@ -158,7 +157,7 @@ TEST(Isometries, AreTheSameForAnyNumberOfThreads) {
   const IsometryGroup three = isometries(surface, {.threads = 3, .progress = {}});
   ASSERT_EQ(one.size(), three.size());
   for (std::uint32_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(one.isometries()[i].images, three.isometries()[i].images);
+    EXPECT_EQ(one.isometry(i).images, three.isometry(i).images);
     EXPECT_EQ(one.permutation(i), three.permutation(i));
   }
 }
@@ -191,6 +190,20 @@ TEST(Isometries, OfAMapOfManyTilesAreProved) {
   const auto [document, certificate] = certified_isometries(surface, isometries(surface));
   ASSERT_EQ(certificate.verdict, certify::Verdict::verified);
   EXPECT_EQ(certificate.claim, "the surface has exactly 240 isometries, half of which preserve the orientation");
+}
+
+TEST(Isometries, OfAChiralMapAndOfCoversAreProved) {
+  const Surface chiral = load_surface(std::string(EPSNET_TEST_DATA) + "/isometries/chiral-11.json");
+  const IsometryGroup group = isometries(chiral);
+  EXPECT_EQ(group.size(), 160U);
+  EXPECT_EQ(group.orientation_preserving(), 160U);
+  expect_group(chiral, group);
+  expect_proof(chiral, group);
+  const Surface base = named_surface("bolza");
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Surface surface = cover(base, random_sheets(base, 5, seed));
+    expect_proof(surface, isometries(surface));
+  }
 }
 
 /// An octagon cut along the diagonal between corners 0 and 4, both halves moved, and tile 1 named first.

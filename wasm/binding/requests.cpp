@@ -465,7 +465,7 @@ Answer find_isometries(const Members& members, const Progress& progress) {
   const IsometryGroup group = isometries(surface, options);
   Json all = Json::array();
   for (std::uint32_t i = 0; i < group.size(); ++i) {
-    Json& isometry = all.emplace_back(isometry_json(group.isometries()[i]));
+    Json& isometry = all.emplace_back(isometry_json(group.isometry(i)));
     isometry["order"] = group.order(i);
     if (const auto count = group.fixed_points(i)) isometry["fixed_points"] = *count;
   }

@@ -257,7 +257,7 @@ class IsometriesCheck {
       }
     }
     so_far_ = "there are at most " + std::to_string(least) + ", by all crossing points; ";
-    return least;
+    return std::min(least, followed_frames(plane, geodesics, document_.order));
   }
 
   const IsometriesDocument& document_;

@@ -49,15 +49,34 @@ class Evaluator {
 /// Whether two traces agree up to their sign, and whether they have the same one: `any` if both are 0.
 enum class Ratio { different, same, opposite, any };
 
-/// Of the traces of two elements, scaled to determinant 1.
 template <class Element>
-Ratio trace_ratio(const Element& f, const Element& g) {
-  using Real = std::decay_t<decltype(norm(f.a))>;
-  const Real t = twice_real(f.a);
-  const Real u = twice_real(g.a);
-  const Real difference = t * t * (norm(g.a) - norm(g.b)) - u * u * (norm(f.a) - norm(f.b));
+using RealOf = std::decay_t<decltype(norm(Element().a))>;
+
+/// The trace of an element, with its determinant.
+template <class Real>
+struct ScaledTrace {
+  Real trace;
+  Real determinant;
+};
+
+template <class Element>
+RealOf<Element> determinant_of(const Element& f) {
+  return norm(f.a) - norm(f.b);
+}
+
+/// Of f ∘ g, from the determinants of f and g.
+template <class Element>
+ScaledTrace<RealOf<Element>> trace_of_product(const Element& f, const RealOf<Element>& f_determinant, const Element& g,
+                                              const RealOf<Element>& g_determinant) {
+  return {twice_real(f.a * g.a + f.b * conjugate(g.b)), RealOf<Element>(f_determinant * g_determinant)};
+}
+
+/// Of two elements, scaled to determinant 1.
+template <class Real>
+Ratio trace_ratio(const ScaledTrace<Real>& f, const ScaledTrace<Real>& g) {
+  const Real difference(f.trace * f.trace * g.determinant - g.trace * g.trace * f.determinant);
   if (sign(difference) != 0) return Ratio::different;
-  const int product = sign(t) * sign(u);
+  const int product = sign(f.trace) * sign(g.trace);
   return product == 0 ? Ratio::any : (product > 0 ? Ratio::same : Ratio::opposite);
 }
 
@@ -73,16 +92,27 @@ std::optional<bool> are_conjugate(const Crossings& crossings, std::span<const El
         }
         const auto from = evaluator.basis(pairs[0].from, pairs[1].from);
         const auto to = evaluator.basis(pairs[0].to, pairs[1].to);
+        using Element = std::decay_t<decltype(from[0])>;
+        std::array<RealOf<Element>, 4> from_determinant;
+        std::array<RealOf<Element>, 4> to_determinant;
+        for (std::size_t i = 0; i < 4; ++i) {
+          from_determinant[i] = determinant_of(from[i]);
+          to_determinant[i] = determinant_of(to[i]);
+        }
         for (std::size_t i = 1; i < 4; ++i) {
-          const Ratio ratio = trace_ratio(from[i], to[i]);
+          const Ratio ratio = trace_ratio<RealOf<Element>>({twice_real(from[i].a), from_determinant[i]},
+                                                           {twice_real(to[i].a), to_determinant[i]});
           if (ratio == Ratio::different || ratio == Ratio::opposite) return false;
         }
         for (const ElementPair& pair : pairs.subspan(2)) {
           const auto f = evaluator.element(pair.from);
           const auto g = evaluator.element(pair.to);
+          const auto f_determinant = determinant_of(f);
+          const auto g_determinant = determinant_of(g);
           Ratio sign = Ratio::any;
           for (std::size_t i = 0; i < 4; ++i) {
-            const Ratio ratio = trace_ratio(compose(from[i], f), compose(to[i], g));
+            const Ratio ratio = trace_ratio(trace_of_product(from[i], from_determinant[i], f, f_determinant),
+                                            trace_of_product(to[i], to_determinant[i], g, g_determinant));
             if (ratio == Ratio::different) return false;
             if (ratio == Ratio::any) continue;
             if (sign != Ratio::any && ratio != sign) return false;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include "certify/net/numbering.h"
 
@@ -100,8 +103,12 @@ class Finder {
     }
     const Ball cosine = point->sign * product;
     net_.plane().keep(4);
-    points_[x.geodesic].push_back({x.along + asinh(value(x.row, point->vector)), cosine, y.geodesic});
-    points_[y.geodesic].push_back({y.along + asinh(value(y.row, point->vector)), -cosine, x.geodesic});
+    const auto x_place = static_cast<std::uint32_t>(points_[x.geodesic].size());
+    const auto y_place = static_cast<std::uint32_t>(points_[y.geodesic].size()) + (x.geodesic == y.geodesic ? 1 : 0);
+    points_[x.geodesic].push_back(
+        {x.along + asinh(value(x.row, point->vector)), cosine, y.geodesic, y_place, point->sign});
+    points_[y.geodesic].push_back(
+        {y.along + asinh(value(y.row, point->vector)), -cosine, x.geodesic, x_place, -point->sign});
   }
 
   const MovedNet& net_;
@@ -139,19 +146,19 @@ class Comparison {
     if (!alike(here[from_.point], there[to_.point])) return false;
     return std::all_of(here.begin(), here.end(), [&](const CrossingPoint& x) {
       plane_.spend(kAlikeOperations, there.size());
-      return std::any_of(there.begin(), there.end(),
-                         [&](const CrossingPoint& y) { return alike(x, y) && as_far(x, y); });
+      return std::any_of(there.begin(), there.end(), [&](const CrossingPoint& y) { return may_be_image(x, y); });
     });
   }
 
- private:
-  [[nodiscard]] const std::vector<CrossingPoint>& points(const Frame& frame) const {
-    return geodesics_.points[frame.geodesic];
-  }
-
-  [[nodiscard]] bool alike(const CrossingPoint& x, const CrossingPoint& y) const {
-    return may_be_equal(geodesics_.lengths[x.other], geodesics_.lengths[y.other]) &&
-           may_be_equal(x.cosine, to_.orientation * y.cosine);
+  /// The points to which an isometry that takes one frame to the other may take a point.
+  [[nodiscard]] std::vector<const CrossingPoint*> images(const CrossingPoint& x) const {
+    const auto& there = points(to_);
+    plane_.spend(kAlikeOperations, there.size());
+    std::vector<const CrossingPoint*> result;
+    for (const CrossingPoint& y : there) {
+      if (may_be_image(x, y)) result.push_back(&y);
+    }
+    return result;
   }
 
   /// Whether two points may be equally far from the frames, modulo the length of the geodesic.
@@ -160,6 +167,20 @@ class Comparison {
     const Ball here = x.along - points(from_)[from_.point].along;
     const Ball there = to_.direction * (y.along - points(to_)[to_.point].along);
     return may_be_integer((here - there) / geodesics_.lengths[from_.geodesic]);
+  }
+
+ private:
+  [[nodiscard]] bool may_be_image(const CrossingPoint& x, const CrossingPoint& y) const {
+    return alike(x, y) && as_far(x, y);
+  }
+
+  [[nodiscard]] const std::vector<CrossingPoint>& points(const Frame& frame) const {
+    return geodesics_.points[frame.geodesic];
+  }
+
+  [[nodiscard]] bool alike(const CrossingPoint& x, const CrossingPoint& y) const {
+    return may_be_equal(geodesics_.lengths[x.other], geodesics_.lengths[y.other]) &&
+           may_be_equal(x.cosine, to_.orientation * y.cosine);
   }
 
   const LiftedPlane& plane_;
@@ -174,6 +195,85 @@ bool may_correspond(const CrossingGeodesics& geodesics, std::size_t one, std::si
          may_be_equal(geodesics.lengths[one], geodesics.lengths[other]);
 }
 
+/// The frames to which an isometry may take the frame of a geodesic at one of its points.
+std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from) {
+  const std::size_t size = geodesics.points[from.geodesic].size();
+  std::vector<Frame> result;
+  plane.spend(1, geodesics.points.size());
+  for (std::size_t i = 0; i < geodesics.points.size(); ++i) {
+    if (!may_correspond(geodesics, from.geodesic, i)) continue;
+    for (std::size_t k = 0; k < size; ++k) {
+      plane.spend(4 * kAlikeOperations);
+      for (const auto& [direction, orientation] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+        const Frame to{i, k, direction, orientation};
+        if (Comparison(plane, geodesics, from, to).possible()) result.push_back(to);
+      }
+    }
+  }
+  return result;
+}
+
+/// An isometry that takes one frame to another, followed along the geodesics that cross that of the frame, those that
+/// cross them, and so on.
+class FollowedIsometry {
+ public:
+  FollowedIsometry(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from, const Frame& to)
+      : plane_(plane), geodesics_(geodesics) {
+    take(from, to);
+  }
+
+  /// Whether a geodesic is left that has not been compared with its image.
+  [[nodiscard]] bool goes_on() const { return compared_ < frames_.size(); }
+
+  /// Compares one more geodesic with its image, and returns whether there still may be such an isometry.
+  [[nodiscard]] bool step() {
+    const auto [from, to] = frames_[compared_++];
+    if (!may_correspond(geodesics_, from.geodesic, to.geodesic)) return false;
+    const Comparison comparison(plane_, geodesics_, from, to);
+    for (const CrossingPoint& x : geodesics_.points[from.geodesic]) {
+      const auto images = comparison.images(x);
+      if (images.empty()) return false;
+      // Of several ones it is not known which one is the image.
+      if (images.size() == 1 && !take_other(x, *images.front(), to)) return false;
+    }
+    return true;
+  }
+
+ private:
+  struct FramePair {
+    Frame from;
+    Frame to;
+  };
+
+  void take(const Frame& from, const Frame& to) {
+    plane_.keep(3);
+    pair_of_.emplace(from.geodesic, frames_.size());
+    frames_.push_back({from, to});
+  }
+
+  /// Takes the geodesic that crosses at x to the one that crosses at y, and returns whether that may be.
+  [[nodiscard]] bool take_other(const CrossingPoint& x, const CrossingPoint& y, const Frame& to) {
+    const int direction = to.orientation * to.direction * x.turn * y.turn;
+    const Frame other{x.other, x.place, 1, 1};
+    const Frame image{y.other, y.place, direction, to.orientation};
+    const auto known = pair_of_.find(other.geodesic);
+    if (known == pair_of_.end()) {
+      take(other, image);
+      return true;
+    }
+    const auto& [from, taken_to] = frames_[known->second];
+    if (taken_to.geodesic != image.geodesic || taken_to.direction != image.direction) return false;
+    return Comparison(plane_, geodesics_, from, taken_to)
+        .as_far(geodesics_.points[other.geodesic][other.point], geodesics_.points[image.geodesic][image.point]);
+  }
+
+  const LiftedPlane& plane_;
+  const CrossingGeodesics& geodesics_;
+  std::vector<FramePair> frames_;
+  std::map<std::size_t, std::size_t> pair_of_;  ///< By geodesic that is taken to another one.
+  std::size_t compared_ = 0;
+};
+
 }  // namespace
 
 std::optional<std::vector<std::vector<CrossingPoint>>> crossing_points(const MovedNet& net,
@@ -183,21 +283,65 @@ std::optional<std::vector<std::vector<CrossingPoint>>> crossing_points(const Mov
 
 std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::size_t geodesic,
                               std::size_t point) {
-  const Frame from{geodesic, point, 1, 1};
-  const std::size_t size = geodesics.points[geodesic].size();
-  std::uint64_t result = 0;
-  plane.spend(1, geodesics.points.size());
-  for (std::size_t i = 0; i < geodesics.points.size(); ++i) {
-    if (!may_correspond(geodesics, geodesic, i)) continue;
-    for (std::size_t k = 0; k < size; ++k) {
-      plane.spend(4 * kAlikeOperations);
-      for (const auto& [direction, orientation] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-        const Frame to{i, k, direction, orientation};
-        if (Comparison(plane, geodesics, from, to).possible()) ++result;
+  return images_of_frame(plane, geodesics, {geodesic, point, 1, 1}).size();
+}
+
+namespace {
+
+/// The frames to which an isometry may take one, followed until no more than `enough` are left.
+std::uint64_t followed_from(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from,
+                            std::uint64_t enough) {
+  std::vector<FollowedIsometry> left;
+  for (const Frame& to : images_of_frame(plane, geodesics, from)) left.emplace_back(plane, geodesics, from, to);
+  // Step by step with all: most of those that are no isometries end early.
+  for (bool goes_on = true; goes_on && left.size() > enough;) {
+    goes_on = false;
+    std::vector<FollowedIsometry> next;
+    for (FollowedIsometry& isometry : left) {
+      if (isometry.goes_on()) {
+        if (!isometry.step()) continue;
+        goes_on = true;
+      }
+      next.push_back(std::move(isometry));
+    }
+    left = std::move(next);
+  }
+  return left.size();
+}
+
+/// Of each set of geodesics that crossings join, the first one of those with the fewest crossing points.
+std::vector<std::size_t> representatives(const LiftedPlane& plane, const CrossingGeodesics& geodesics) {
+  std::vector<std::size_t> result;
+  std::vector<bool> seen(geodesics.points.size());
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    if (seen[first] || geodesics.points[first].empty()) continue;
+    std::vector<std::size_t> joined{first};
+    seen[first] = true;
+    std::size_t best = first;
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+      const auto& points = geodesics.points[joined[i]];
+      if (points.size() < geodesics.points[best].size()) best = joined[i];
+      plane.spend(1, points.size());
+      for (const CrossingPoint& x : points) {
+        if (seen[x.other]) continue;
+        seen[x.other] = true;
+        joined.push_back(x.other);
       }
     }
+    result.push_back(best);
   }
   return result;
+}
+
+}  // namespace
+
+std::uint64_t followed_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::uint64_t enough) {
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  for (const std::size_t geodesic : representatives(plane, geodesics)) {
+    least = std::min(least, followed_from(plane, geodesics, {geodesic, 0, 1, 1}, enough));
+    if (least <= enough) break;
+  }
+  return least;
 }
 
 double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::size_t geodesic) {

@@ -14,7 +14,9 @@ namespace epsnet::certify {
 struct CrossingPoint {
   Ball along;           ///< From the beginning of the period, in the geodesic's direction.
   Ball cosine;          ///< Of the angle from that direction, counterclockwise, to the line of the other one.
-  std::uint32_t other;  ///< The other one.
+  std::uint32_t other;  ///< The other one,
+  std::uint32_t place;  ///< and where this passage of the other one is in its list.
+  int turn;  ///< 1 if the direction of the other one is on one side of this one's, −1 if on the other side.
 };
 
 /// By closed geodesic, each given by one shortest period, no two the same: all points where it crosses one of them,
@@ -33,7 +35,13 @@ struct CrossingGeodesics {
 [[nodiscard]] std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
                                             std::size_t geodesic, std::size_t point);
 
-/// The work that this takes at most, for one point of the geodesic. O(geodesics).
+/// The least that possible_frames returns for one point in each set of geodesics that crossings join, if isometries are
+/// followed from each geodesic to those that it crosses, until no more than `enough` frames are left, or all are
+/// compared. The greatest number if no two geodesics cross.
+[[nodiscard]] std::uint64_t followed_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
+                                            std::uint64_t enough);
+
+/// The work that possible_frames takes at most, for one point of the geodesic. O(geodesics).
 [[nodiscard]] double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
                                       std::size_t geodesic);
 

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "certify/claims/geodesics/document.h"
+#include "netgen/isometries/lifted_tiles.h"
+#include "triangulation/surface/surface.h"
+
+/// Candidates for isometries: pairs of elements to which an isometry may take one chosen pair, found among the lifts of
+/// tiles near closed geodesics (docs/isometries.md, "How all are found").
+namespace epsnet {
+
+/// Whether two numbers of 256 bits are equal but for the errors of some operations.
+[[nodiscard]] bool agree(const LiftedTiles::Number& x, const LiftedTiles::Number& y);
+/// Whether three are.
+[[nodiscard]] bool agree(const LiftedTiles::Vector& u, const LiftedTiles::Vector& v);
+
+/// A closed geodesic: an element in the coordinates of a tile. Re a > 0.
+struct Line {
+  TileId tile;
+  Word word;
+  Isometry<LiftedTiles::Number> element;
+  LiftedTiles::Number length;
+
+  /// The point of the axis that is `along` farther than the one next to a point.
+  [[nodiscard]] LiftedTiles::Vector point(const LiftedTiles::Vector& near, const LiftedTiles::Number& along) const;
+};
+
+/// The primitive closed geodesics of a surface up to some length.
+[[nodiscard]] std::vector<Line> lines(const LiftedTiles& tiles, const certify::GeodesicsDocument& document);
+
+/// A closed geodesic x, and an element y of which the axis has no end in common with that of x.
+struct Pair {
+  Line x;
+  Isometry<LiftedTiles::Number> y;
+  Word y_word;
+  double displacement;  ///< By how much y moves a point of the axis of x.
+};
+
+/// A pair of elements to which an isometry may take another pair, in the coordinates of a tile.
+struct Match {
+  TileId tile;
+  Isometry<LiftedTiles::Number> x;
+  Isometry<LiftedTiles::Number> y;
+  Word x_word;
+  Word y_word;
+};
+
+/// Returns the pairs (x', y') of which x', y' and x'y' have the traces of x, y and xy: x' is `line` in one of its two
+/// directions, and y' moves a point of its axis by no more than y moves one of the axis of x. Up to powers of x', every
+/// such pair is among them, perhaps more than once.
+///
+/// The result is the same for any number of threads. Throws LimitError if too many tiles are near the line.
+[[nodiscard]] std::vector<Match> matches(const LiftedTiles& tiles, const Line& line, const Pair& pair,
+                                         unsigned threads);
+
+/// The generators of a surface's group.
+struct Generators {
+  std::vector<Word> words;
+  std::vector<Isometry<LiftedTiles::Number>> elements;
+
+  explicit Generators(const LiftedTiles& tiles);
+};
+
+/// The image of a generator's element under an isometry of the plane, as a word from tile 0 to itself; nothing, if it
+/// is not in the group.
+[[nodiscard]] std::optional<Word> image_word(const LiftedTiles& to, const Motion<LiftedTiles::Number>& f,
+                                             const Isometry<LiftedTiles::Number>& element);
+
+/// What is common to all isometries from one surface: where they are told from.
+struct Source {
+  LiftedTiles tiles;
+  Generators generators;
+  Pair pair;
+
+  /// Requires: a spectrum of the surface with at least one closed geodesic. Throws LimitError.
+  Source(const Surface& surface, const certify::GeodesicsDocument& geodesics);
+
+  /// The isometry of the plane that a match tells, from the coordinates of tile 0 to those of tile 0.
+  [[nodiscard]] Motion<LiftedTiles::Number> motion_of(const Match& match, const LiftedTiles& to) const;
+
+  /// The images of all generators under an isometry of the plane, as words from tile 0 to itself; nothing, if one of
+  /// them is not in the group.
+  [[nodiscard]] std::optional<std::vector<Word>> images(const LiftedTiles& to,
+                                                        const Motion<LiftedTiles::Number>& f) const;
+
+  /// Whether an isometry that agrees with the numbers is one: exactly.
+  [[nodiscard]] std::optional<bool> is_exact(const Match& match, const LiftedTiles& to,
+                                             const std::vector<Word>& images) const;
+};
+
+}  // namespace epsnet
