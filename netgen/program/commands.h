@@ -48,6 +48,7 @@ void add_thick_thin_command(CLI::App& app, Job& chosen);
 void add_eigenvalues_command(CLI::App& app, Job& chosen);
 void add_isometries_command(CLI::App& app, Job& chosen);
 void add_isometric_command(CLI::App& app, Job& chosen);
+void add_identify_command(CLI::App& app, Job& chosen);
 void add_pants_command(CLI::App& app, Job& chosen);
 void add_draw_command(CLI::App& app, Job& chosen);
 void add_view_command(CLI::App& app, Job& chosen);

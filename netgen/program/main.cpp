@@ -87,7 +87,8 @@ void add_commands(CLI::App& app, Job& chosen) {
       {"Lengths and distances",
        {add_systole_command, add_spectrum_command, add_thick_thin_command, add_distance_command, add_distances_command,
         add_eccentricity_command, add_diameter_command, add_radius_command, add_embedded_disk_command}},
-      {"Spectrum and symmetries", {add_eigenvalues_command, add_isometries_command, add_isometric_command}},
+      {"Spectrum and symmetries",
+       {add_eigenvalues_command, add_isometries_command, add_isometric_command, add_identify_command}},
       {"Files and pictures",
        {add_info_command, add_draw_command, add_view_command, add_export_command, add_convert_command,
         add_help_command}},
@@ -117,7 +118,8 @@ int run(int argc, char** argv) {
       "  epsnet surface octagon --seed 123 -o s.json\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
       "  certify net.json\n\n"
-      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net, isometric), 64 invalid command line, 70 "
+      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net, isometric, identify), 64 invalid command "
+      "line, 70 "
       "internal fault.\n"
       "An interrupted command leaves no files behind.");
   try {

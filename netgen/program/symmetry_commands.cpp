@@ -206,6 +206,63 @@ Report isometries_report(const certify::IsometriesDocument& document) {
                                    {"up_to", document.up_to}})};
 }
 
+namespace {
+
+void identify_surface(const IsometriesRequest& request) {
+  check_files({{"SURFACE", request.surface}}, {});
+  const Surface surface = read_surface_input(request.surface);
+  const std::vector<NamedAnswer> answers = [&] {
+    ProgressLine progress;
+    return identify(surface, options_of(request, progress));
+  }();
+  Report report;
+  std::ostringstream out;
+  std::string undecided;
+  report.json["name"] = nullptr;
+  report.json["compared"] = Json::array();
+  for (const auto& [name, answer] : answers) {
+    report.json["compared"].push_back(Json::object({{"name", name}, {"isometric", answer_text(answer.kind)}}));
+    if (answer.kind == IsometricAnswer::Kind::undecided) undecided += (undecided.empty() ? "" : ", ") + name;
+    if (answer.kind != IsometricAnswer::Kind::yes) continue;
+    const std::vector<Word> words = generator_words(surface);
+    report.json["name"] = name;
+    report.json["words"] = words;
+    report.json["isometry"] = isometry_json(*answer.isometry);
+    out << "name: " << name << '\n' << "about: " << named_surface(name).about() << '\n';
+    out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
+    write_images(out, words, *answer.isometry);
+    out << "decided by this program, with exact numbers\n";
+  }
+  if (report.json["name"].is_null()) {
+    out << "name: none that is known\n";
+    for (const auto& [name, answer] : answers)
+      out << "isometric to " << name << ": " << answer_text(answer.kind) << ": " << answer.reason << '\n';
+    undecided = undecided.empty() ? "" : "undecided: whether it is " + undecided;
+  } else {
+    undecided.clear();
+  }
+  report.text = out.str();
+  write_report(report, request.json, false);
+  if (!undecided.empty()) throw UndecidedError(undecided);
+}
+
+}  // namespace
+
+void add_identify_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<IsometriesRequest>();
+  CLI::App* command = app.add_subcommand(
+      "identify", "The name of a surface: to which of the named surfaces of its genus it is isometric.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "\"epsnet surface named --list\" lists the names. Each is compared as by \"epsnet isometric\", and the "
+      "first that is isometric is the answer; many surfaces have no name.\n"
+      "Exit code 2: undecided, as it is isometric to none of which that could be decided.\n\n"
+      "Example:\n  epsnet surface matrices klein.txt -o s.json\n  epsnet identify s.json");
+  command->callback([&chosen, shared] { chosen = [shared] { identify_surface(*shared); }; });
+}
+
 void add_isometries_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<IsometriesRequest>();
   CLI::App* command = app.add_subcommand(

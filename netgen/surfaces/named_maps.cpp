@@ -230,8 +230,10 @@ std::optional<std::uint32_t> genus_in(const std::string& name, std::string_view 
   return genus;
 }
 
+/// Of families.
+constexpr std::uint32_t kLargestGenus = 1000;
+
 Surface member(const Named& family, std::uint32_t genus) {
-  constexpr std::uint32_t kLargestGenus = 1000;
   if (genus >= 2 && genus <= kLargestGenus) return family.of_genus(genus);
   throw SurfaceError("the genus of " + std::string(family.facts.name) + " must be at least 2 and at most " +
                      std::to_string(kLargestGenus) + ", not " + std::to_string(genus));
@@ -330,6 +332,18 @@ Surface named_surface(const std::string& name, std::optional<std::uint32_t> genu
     return *surface;
   }
   throw SurfaceError("there is no surface \"" + name + "\", expected " + all_names() + ", with a genus for G");
+}
+
+std::vector<std::string> names_of_genus(std::uint32_t genus) {
+  std::vector<std::string> result;
+  for (const Named& named : kNamed) {
+    if (named.of_genus != nullptr && genus >= 2 && genus <= kLargestGenus) {
+      result.push_back(without_genus(named.facts.name) + "-" + std::to_string(genus));
+    } else if (named.single != nullptr && named.single().genus() == genus) {
+      result.emplace_back(named.facts.name);
+    }
+  }
+  return result;
 }
 
 }  // namespace epsnet

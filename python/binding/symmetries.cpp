@@ -54,6 +54,17 @@ void bind_isometries(py::module_& module) {
     const bool decided = answer.kind != Kind::undecided;
     return std::tuple(decided, answer.isometry ? std::optional(plain(*answer.isometry)) : std::nullopt, answer.reason);
   });
+  module.def("identify", [](const Surface& surface, unsigned threads, const py::object& callback) {
+    const std::vector<NamedAnswer> answers = interruptible(
+        [=](const Progress& progress) { return identify(surface, {.threads = threads, .progress = progress}); },
+        callback);
+    std::vector<std::string> undecided;
+    for (const auto& [name, answer] : answers) {
+      if (answer.kind == Kind::yes) return std::tuple(std::optional(name), std::vector<std::string>());
+      if (answer.kind == Kind::undecided) undecided.push_back(name);
+    }
+    return std::tuple(std::optional<std::string>(), std::move(undecided));
+  });
 }
 
 void bind_pants(py::module_& module) {

@@ -29,7 +29,7 @@ from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of, random_points
 from .pants import PantsDecomposition, dehn_twist, dehn_twist_words, pants, twist
-from .symmetries import IsometryGroup, SurfaceIsometry, isometric_to, isometries
+from .symmetries import IsometryGroup, SurfaceIsometry, identify, isometric_to, isometries
 
 __all__ = ["Surface"]
 
@@ -654,6 +654,16 @@ class Surface(Drawn, Immutable):
         (<SurfaceIsometry that preserves orientation>, None)
         """
         return isometric_to(self, other, threads, progress)
+
+    def identify(self, *, threads: int = 0, progress: Progress = None) -> Optional[str]:
+        """The name of the named surface (``Surface.named``) to which it is isometric, decided exactly; None if it is isometric to none of its genus.
+        UndecidedError if that is undecided for some.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).identify(), epsnet.Surface.octagon(1).identify()
+        ('bolza', None)
+        """
+        return identify(self, threads, progress)
 
     # Pants.
 

@@ -93,7 +93,7 @@ def calls(octagon, net, bolza):
         (octagon.eigenvalues, dict(count=1, digits=2, epsilon="0.5", threads=1, progress=False)), (octagon.eigenvalues, dict(below=1)),
         (eigenvalues.svg, dict(size=100)), (eigenvalues.count_below, dict(x=1)), (eigenvalues.eigenfunction, dict(index=1)),
         (eigenvalues.eigenfunction(1).svg, dict(centre=0, order="weight", size=100)),
-        (octagon.isometries, dict(threads=1, progress=False)), (octagon.isometric_to, dict(other=bolza, threads=1, progress=False)),
+        (octagon.isometries, dict(threads=1, progress=False)), (octagon.isometric_to, dict(other=bolza, threads=1, progress=False)), (octagon.identify, dict(threads=1, progress=False)),
         (group.product, dict(i=0, j=1)), (group.order, dict(i=0)), (group.fixed_points, dict(i=0)), (group.permutation, dict(i=0)),
         (group.save, dict(path="none")), (group.proof.save, dict(path="none")),
         (octagon.thick_thin, dict(threads=1, progress=False)), (octagon.distance, dict(p=0, q=(0, 0.1, 0), width=1)),

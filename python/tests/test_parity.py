@@ -64,6 +64,7 @@ FUNCTIONS = {
     "eigenvalues": (Surface.eigenvalues, {}),
     "isometries": (Surface.isometries, {}),
     "isometric": (Surface.isometric_to, {}),
+    "identify": (Surface.identify, {}),
     "pants": (Surface.pants, {}),
     "draw": (Net.svg, {"--show": ("triangles", "vertices", "dirichlet", "combinatorial_dirichlet", "tiles", "disks", "half_disks"),
                        "--geodesics": "show", "--distance": "show"}),

@@ -106,7 +106,12 @@ verified second.json
 # The Bolza surface again, by octagons of which three meet at each vertex: GL(2,3).
 printf '%s' '{"rotation":[1,3,5,6,8,9,11,13,14,16,18,19,21,22,24,2,20,27,28,30,32,33,35,4,31,38,39,40,41,0,29,26,43,10,7,42,45,46,47,23,25,44,37,15,12,17,34,36],"edges":[2,4,0,7,1,10,12,3,15,17,5,20,6,23,25,8,26,9,29,31,11,34,36,13,37,14,16,33,35,18,42,19,44,27,21,28,22,24,43,45,46,47,30,38,32,39,40,41]}' >octagons.json
 good surface map octagons.json -o octagons-map.json
-bad 2 'undecided: the exact numbers' isometric bolza.json octagons-map.json
+good isometric bolza.json octagons-map.json
+says '^isometric: yes$'
+good identify octagons-map.json
+says '^name: bolza$'
+good identify s.json
+says '^name: none that is known$'
 good distance s.json 0,0.1,-1/3 0 -o distance.json
 printf '0,0.1,0.1\n0,-0.3,1/3\n' >points.txt
 good net s.json --epsilon 0.5 --points points.txt -o given.json
