@@ -315,6 +315,24 @@ RC_GTEST_PROP(FenchelNielsenProperty, CuffsHaveTheirLengths, ()) {
   }
 }
 
+/// Whatever the lengths are, twists of 0 and of half of the length give a surface, exactly or with a warning.
+RC_GTEST_PROP(FenchelNielsenProperty, SymmetricTwistsGiveASurface, ()) {
+  FenchelNielsen coordinates = any_coordinates(4);
+  for (std::size_t e = 0; e < coordinates.twists.size(); ++e) {
+    if (any_index(4u) == 0) continue;
+    coordinates.twists[e] = any_index(2u) == 0 ? Rational(0) : Rational(coordinates.lengths[e] / 2);
+    if (e > 0 && any_index(2u) == 0) coordinates.lengths[e] = coordinates.lengths[e - 1];
+  }
+  const Surface surface = fenchel_nielsen_surface(coordinates);
+  RC_ASSERT(surface.genus() == coordinates.graph.genus());
+  for (std::size_t e = 0; e < coordinates.lengths.size(); ++e) {
+    const Mp1024 asked(coordinates.lengths[e]);
+    for (const PantsGraph::End& end : coordinates.graph.edges()[e]) {
+      RC_ASSERT(abs(length_of(surface, cuff_word(surface, end)) - asked) <= ldexp(asked, -50));
+    }
+  }
+}
+
 /// Two cuffs of one pair of pants at distance d (their common perpendicular), glued with a shift x: the closed
 /// geodesic that crosses the cuff once has cosh(length/2) = cosh(d/2) cosh(x/2), as the product of translations along
 /// perpendicular axes. The marks are half a cuff apart on the second cuff, where the mark is the foot of another
