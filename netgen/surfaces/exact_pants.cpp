@@ -24,11 +24,19 @@ using std::size_t;
 
 std::string text_of(const Rational& x) { return "(" + x.str() + ")"; }
 
+/// A positive integer times which a number is an algebraic integer.
+Integer denominator_of_number(const std::string& text) {
+  NumberFieldReader reader;
+  reader.add(text);
+  return Integer(denominator_of(reader.numbers().back()).get_mpz_t());
+}
+
 /// Edges of one length.
 struct LengthClass {
   std::optional<Mp1024> wanted;   ///< Of a decimal length: cosh(length/2) − 1.
   std::optional<Rational> value;  ///< cosh(length/2), if it is rational, as soon as it is known.
   std::string text;               ///< cosh(length/2).
+  Integer denominator = 1;        ///< Times this it is an algebraic integer.
 };
 
 /// The classes of the cuffs of a pair of pants, in order.
@@ -74,6 +82,7 @@ class LengthChooser {
       if (is_exact) {
         made.value = rational_value(text);
         made.text = made.value ? text_of(*made.value) : text;
+        made.denominator = denominator_of_number(text);
       } else {
         const Mp1024 sinh_of_quarter = sinh(Mp1024(Rational(coordinates.lengths[e] / 4)));
         made.wanted = 2 * sinh_of_quarter * sinh_of_quarter;
@@ -154,6 +163,7 @@ class LengthChooser {
   void set(size_t k, const Rational& value) {
     classes_[k].value = value;
     classes_[k].text = text_of(value);
+    classes_[k].denominator = denominator(value);
   }
 
   /// d ln(length) is at most the relative error of c − 1.
@@ -218,12 +228,10 @@ class LengthChooser {
       return "sqrt" + text_of(square);
     }
     ++irrational_;
-    // Roots of algebraic integers have minimal polynomials with fewer digits; c is a half of one where it is
-    // irrational.
-    Integer scale = 2;
-    for (const LengthClass* some : {&a, &b, &c}) {
-      if (some->value) scale = lcm(scale, denominator(*some->value));
-    }
+    // Roots of algebraic integers have minimal polynomials with fewer digits.
+    const Integer product = a.denominator * b.denominator * c.denominator;
+    Integer scale = lcm(lcm(a.denominator, b.denominator), c.denominator);
+    if (2 * scale * scale % product != 0) scale = product;
     const std::string square =
         a.text + "^2+" + b.text + "^2+" + c.text + "^2+2*" + a.text + "*" + b.text + "*" + c.text + "-1";
     return "(sqrt(" + scale.str() + "^2*(" + square + "))/" + scale.str() + ")";
