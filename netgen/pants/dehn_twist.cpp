@@ -5,8 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "certify/numbers/exact.h"
+#include "netgen/base/gmp.h"
 #include "netgen/pants/curve_system.h"
 #include "netgen/pants/pants.h"
+#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
 #include "triangulation/surface/error.h"
 
@@ -110,8 +113,9 @@ class TwistedTiles {
       Word word;
       for (const SideId c : surface.sides_of(tile)) {
         const std::uint32_t k = surface.place_in_tile(c);
-        const Isometry<Rational> exact = inverse(exact_isometry(surface, concatenated(surface, word, to_first[c])));
-        corners.push_back({exact, normalized(convert<Number>(exact)), surface.vertex_class(c)});
+        Word path = concatenated(surface, word, to_first[c]);
+        const Isometry<Number> isometry = value_of(surface, path);
+        corners.push_back({std::move(path), isometry, surface.vertex_class(c)});
         word = concatenated(surface, std::move(word),
                             curve.turns(tile, corner(surface, tile, k), corner(surface, tile, k + 1)));
       }
@@ -148,14 +152,71 @@ class TwistedTiles {
       };
       points.push_back({round(z.x), round(z.y)});
     }
+    return surface_.is_rational() ? with_rational_corners(points) : over_field(points);
+  }
+
+ private:
+  struct Corner {
+    Word to_first;              ///< From the tile to that of the first corner of its vertex;
+    Isometry<Number> isometry;  ///< back, of determinant 1.
+    std::uint32_t vertex;
+  };
+  using FieldIsometry = certify::Isometry<certify::FieldNumber>;
+
+  static Isometry<Number> value_of(const Surface& surface, const Word& path) {
+    return surface.is_rational() ? normalized(convert<Number>(inverse(exact_isometry(surface, path))))
+                                 : convert<Number>(inverse(rounded_isometry<Mp1024>(field_isometry(surface, path))));
+  }
+
+  [[nodiscard]] Surface with_rational_corners(const std::vector<Complex<Rational>>& points) const {
     std::vector<Tile> tiles;
-    std::vector<std::uint32_t> first_triangle;
     for (const std::vector<Corner>& corners : corners_) {
-      first_triangle.push_back(static_cast<std::uint32_t>(tiles.size()));
       std::vector<Complex<Rational>> at;
       at.reserve(corners.size());
-      for (const Corner& c : corners) at.push_back(c.exact(points[c.vertex]));
+      for (const Corner& c : corners) at.push_back(inverse(exact_isometry(surface_, c.to_first))(points[c.vertex]));
       for (std::size_t k = 1; k + 1 < at.size(); ++k) tiles.push_back({at[0], at[k], at[k + 1]});
+    }
+    return {std::move(tiles), gluing()};
+  }
+
+  [[nodiscard]] Surface over_field(const std::vector<Complex<Rational>>& points) const {
+    certify::SurfaceDocument::Field tiles = surface_.field_tiles()->document;
+    tiles.polygons.clear();
+    tiles.crossings.clear();
+    std::vector<std::vector<FieldIsometry>> isometries;
+    for (const std::vector<Corner>& corners : corners_) {
+      std::vector<std::array<std::vector<mpz_class>, 3>> at;
+      std::vector<FieldIsometry>& of_corners = isometries.emplace_back();
+      for (const Corner& c : corners) {
+        of_corners.push_back(certify::inverse(field_isometry(surface_, c.to_first)));
+        const auto v = certify::hyperboloid_vector(
+            certify::moved(of_corners.back(), certify::exact_point(to_gmp(points[c.vertex]))));
+        at.push_back({coefficients_of(v.x), coefficients_of(v.y), coefficients_of(v.t)});
+      }
+      for (std::size_t k = 1; k + 1 < at.size(); ++k) {
+        tiles.polygons.push_back({at[0], at[k], at[k + 1]});
+        if (k > 1) tiles.crossings.push_back({{{1}, {0}, {0}, {0}}});
+      }
+    }
+    // The start of a side is the end of its partner: both are lifts of one vertex.
+    for (const Gluing& g : surface_.gluing()) {
+      const std::vector<FieldIsometry>& others = isometries[g.other_tile];
+      FieldIsometry crossing =
+          certify::compose(others[(g.other_side + 1) % others.size()], certify::inverse(isometries[g.tile][g.side]));
+      certify::reduce(crossing);
+      const auto part = [&](const certify::Polynomial& x) {
+        return coefficients_of({&surface_.field_tiles()->field, x});
+      };
+      tiles.crossings.push_back({part(crossing.a.re), part(crossing.a.im), part(crossing.b.re), part(crossing.b.im)});
+    }
+    return surface_over_field(std::move(tiles), gluing());
+  }
+
+  /// Of the triangles: the diagonals of each tile, then the sides of the surface in their order.
+  [[nodiscard]] std::vector<Gluing> gluing() const {
+    std::vector<std::uint32_t> first_triangle{0};
+    for (const std::vector<Corner>& corners : corners_) {
+      first_triangle.push_back(first_triangle.back() + static_cast<std::uint32_t>(corners.size()) - 2);
     }
     std::vector<Gluing> gluing;
     for (std::uint32_t tile = 0; tile < corners_.size(); ++tile) {
@@ -175,15 +236,8 @@ class TwistedTiles {
       const auto [other, other_side] = side_of_triangle(g.other_tile, g.other_side);
       gluing.push_back({triangle, side, other, other_side});
     }
-    return {std::move(tiles), std::move(gluing)};
+    return gluing;
   }
-
- private:
-  struct Corner {
-    Isometry<Rational> exact;   ///< From the coordinates of the first corner of its vertex,
-    Isometry<Number> isometry;  ///< of determinant 1.
-    std::uint32_t vertex;
-  };
 
   [[nodiscard]] Vector at(const Corner& c) const { return image(c.isometry, points_[c.vertex]); }
 
@@ -254,7 +308,8 @@ ById<SideId, Word> dehn_twist_words(const Surface& surface, const Word& curve, s
 }
 
 Surface dehn_twisted(const Surface& surface, const Word& curve, std::int32_t power) {
-  if (!surface.is_rational()) throw SurfaceError("a Dehn twist needs tiles with rational corners");
+  if (surface.is_regular())
+    throw SurfaceError("a Dehn twist needs tiles with rational corners, or over a number field: not regular ones");
   TwistedTiles tiles(surface, TwistCurve(surface, curve, power));
   tiles.relax();
   constexpr unsigned kMostBits = 240;

@@ -77,7 +77,7 @@ std::optional<std::uint32_t> cuff_of_side(std::uint32_t side) {
 
 /// Returns the pants that the tiles are, if they are such heptagons; not proved.
 std::optional<UnprovedPants> own_pants(const Surface& surface) {
-  if (!surface.is_rational()) return std::nullopt;
+  if (surface.is_regular()) return std::nullopt;
   const auto count = static_cast<std::uint32_t>(surface.tiles().size());
   std::vector<PantsPaths> pants;
   for (const TileId p : surface.tile_ids()) {

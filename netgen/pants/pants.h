@@ -100,8 +100,8 @@ inline constexpr std::int32_t kMostTwists = 1000;
 /// moved so that no triangle turns over. There is an isometry f to the given surface that takes the path across a side
 /// to its image under the twist: words stand for other elements, and the surface is the same.
 ///
-/// Exact. Throws CurveError as above, SurfaceError unless the surface `is_rational`, and
-/// LimitError if no such triangles are found.
+/// Exact: over the field of the surface, if it is over one. Throws CurveError as above, SurfaceError if its tiles are
+/// regular, and LimitError if no such triangles are found.
 [[nodiscard]] Surface dehn_twisted(const Surface& surface, const Word& curve, std::int32_t power = 1);
 
 /// Returns the surface after a twist by a length along a simple closed curve: cut along its geodesic and glued anew,

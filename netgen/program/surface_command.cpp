@@ -167,11 +167,26 @@ void name_rounded_twists(const FenchelNielsen& coordinates) {
             << " 0 or half of the length only up to 2^-50 lengths: reflections may be lost\n";
 }
 
+/// Numbers that were divided at all commas: those in parentheses, as in root(f,r), belong to a number.
+std::vector<std::string> numbers_of(const std::vector<std::string>& pieces) {
+  std::vector<std::string> result;
+  std::ptrdiff_t depth = 0;
+  for (const std::string& piece : pieces) {
+    if (depth > 0) {
+      result.back() += "," + piece;
+    } else {
+      result.push_back(with_leading_zero(piece));
+    }
+    depth += std::count(piece.begin(), piece.end(), '(') - std::count(piece.begin(), piece.end(), ')');
+  }
+  return result;
+}
+
 void make_fenchel_nielsen(const FenchelNielsenCommand& command) {
   check_surface_files({{"--from", command.file}}, command);
   FenchelNielsenRequest request = command.coordinates;
-  for (std::string& length : request.lengths) length = with_leading_zero(length);
-  for (std::string& twist : request.twists) twist = with_leading_zero(twist);
+  request.lengths = numbers_of(request.lengths);
+  request.twists = numbers_of(request.twists);
   const FenchelNielsenRequest given = request;
   const auto of_file = [&](const std::string& member) {
     return !((member == "graph" && !given.graph.empty()) || (member == "genus" && given.genus) ||
@@ -217,12 +232,14 @@ void add_fenchel_nielsen(CLI::App& surface, Job& chosen) {
       ->option_text("chain|ring|tree|theta|random|EDGES [random]");
   command
       ->add_option("--lengths", request->coordinates.lengths,
-                   "the lengths of the cuffs, in the order of the edges, or one for all")
+                   "the lengths of the cuffs, in the order of the edges, or one for all: decimals, or exactly as in "
+                   "2*arcosh(3/2), 2*arsinh(1), 2*log(3), arcosh(1+sqrt(2))")
       ->delimiter(',')
       ->option_text("L,L,...");
   command
       ->add_option("--twists", request->coordinates.twists,
-                   "the twists as hyperbolic lengths, or one for all; a full turn is the length of the cuff")
+                   "the twists as hyperbolic lengths, or one for all; a full turn is the length of the cuff; 0, half "
+                   "of the length and what is given exactly stay so")
       ->delimiter(',')
       ->option_text("T,T,...");
   add_file(*command, "--from", request->file,
@@ -233,7 +250,9 @@ void add_fenchel_nielsen(CLI::App& surface, Job& chosen) {
       "Example:\n"
       "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
       "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" \\\n"
-      "    --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
+      "    --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n"
+      "  epsnet surface fenchel-nielsen --pants-graph theta --lengths \"2*arcosh(3/2)\" \\\n"
+      "    --twists 0 -o s.json\n\n"
       "The foot of the common perpendicular with the next cuff is a mark on each cuff of a pair of pants. With twist 0 "
       "the two marks meet. docs/fenchel-nielsen.md has the conventions.");
   set_work(*command, chosen, request, make_fenchel_nielsen);

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "netgen/base/disjoint_sets.h"
+#include "netgen/surfaces/exact_pants.h"
+#include "netgen/surfaces/simplest_rational.h"
 #include "triangulation/surface/exact_points.h"
 
 namespace epsnet {
@@ -31,30 +33,6 @@ Matrix operator*(const Matrix& m, const Matrix& n) {
 
 /// Returns the inverse up to a factor.
 Matrix inverse(const Matrix& m) { return {m.d, -m.b, -m.c, m.a}; }
-
-/// Returns the rational number with the smallest denominator in [low, high], 0 < low ≤ high.
-Rational simplest_between(Rational low, Rational high) {
-  // Follows the continued fractions of both ends as long as they agree.
-  Matrix convergents{1, 0, 0, 1};
-  for (;;) {
-    const Integer whole = numerator(low) / denominator(low);
-    const bool ends = Rational(whole) == low || Rational(whole + 1) <= high;
-    const Rational digit = Rational(whole) == low ? Rational(whole) : ends ? Rational(whole + 1) : Rational(whole);
-    convergents = convergents * Matrix{digit, 1, 1, 0};
-    if (ends) {
-      return convergents.a / convergents.c;
-    }
-    const Rational new_low = 1 / (high - digit);
-    high = 1 / (low - digit);
-    low = new_low;
-  }
-}
-
-/// Returns the simplest rational number within a factor 1 ± 2^−bits of x.
-Rational simplest_near(const Mp1024& x, int bits) {
-  const Mp1024 margin = boost::multiprecision::ldexp(x, -bits);
-  return simplest_between(Rational(Mp1024(x - margin)), Rational(Mp1024(x + margin)));
-}
 
 /// A pair of pants in the upper half-plane: the generators D_k of its group are translations along the boundary, the
 /// pants on their left, D1 D2 D3 = 1; N_k takes the axis from 0 to ∞ to that of D_k.
@@ -86,14 +64,6 @@ Pants pants(const std::array<Rational, 3>& r) {
 Rational squared_mark(const Pants& p, std::uint32_t k) {
   const Matrix other = inverse(p.axis[k]) * p.axis[(k + 1) % 3];
   return (other.b / other.d) * (other.a / other.c);
-}
-
-/// The square root of a positive number, if it is rational.
-std::optional<Rational> rational_root(const Rational& x) {
-  const Integer above = sqrt(numerator(x));
-  const Integer below = sqrt(denominator(x));
-  if (above * above != numerator(x) || below * below != denominator(x)) return std::nullopt;
-  return Rational(above, below);
 }
 
 Complex<Rational> to_disk(const Complex<Rational>& z) {
@@ -159,30 +129,35 @@ struct Construction {
   std::vector<Pants> pieces;
 };
 
+bool is_exact(const std::vector<std::optional<ExactLength>>& lengths, std::size_t e) {
+  return !lengths.empty() && lengths[e];
+}
+
+/// exp(length/2) of an exact length, if it is rational.
+std::optional<Rational> rational_exponential(const FenchelNielsen& coordinates, std::size_t e) {
+  if (!is_exact(coordinates.exact_lengths, e)) return std::nullopt;
+  const std::optional<Rational> cosh = rational_value(cosh_text(*coordinates.exact_lengths[e], Rational(1, 2)));
+  const std::optional<Rational> sinh = cosh ? rational_root(Rational(*cosh * *cosh - 1)) : std::nullopt;
+  return sinh ? std::optional(Rational(*cosh + *sinh)) : std::nullopt;
+}
+
 /// Requires: `check`.
 Construction construction(const FenchelNielsen& coordinates) {
   Construction result;
   const PantsGraph& graph = coordinates.graph;
   std::vector<Rational>& r = result.r;
-  for (const Rational& length : coordinates.lengths) {
+  for (std::size_t e = 0; e < coordinates.lengths.size(); ++e) {
+    if (const std::optional<Rational> exact = rational_exponential(coordinates, e)) {
+      r.push_back(*exact);
+      continue;
+    }
     // Rounding r − 1 keeps the relative accuracy of short lengths: d ln r ≤ dr and r − 1 ≤ ½ length · r.
-    r.push_back(1 + simplest_near(expm1(Mp1024(Rational(length / 2))), 52));
+    r.push_back(1 + simplest_near(expm1(Mp1024(Rational(coordinates.lengths[e] / 2))), 52));
   }
   for (std::uint32_t p = 0; p < graph.pants_count(); ++p)
     result.pieces.push_back(pants({r[graph.edge_at(p, 0)], r[graph.edge_at(p, 1)], r[graph.edge_at(p, 2)]}));
   return result;
 }
-
-/// The twist of an edge as a share of its length, from −½ to less than ½.
-Rational share_of_twist(const FenchelNielsen& coordinates, std::size_t e) {
-  const Rational turns = coordinates.twists[e] / coordinates.lengths[e] + Rational(1, 2);
-  Integer whole = numerator(turns) / denominator(turns);
-  if (Rational(whole) > turns) --whole;
-  return turns - Rational(whole) - Rational(1, 2);
-}
-
-/// A twist that a reflection may fix.
-bool is_symmetric(const Rational& share) { return share == 0 || share == Rational(-1, 2); }
 
 /// The product of heights that gives a symmetric twist exactly, f f′ or f f′/r, if it is rational, as it is between
 /// equal cuffs of equal pants.
@@ -195,18 +170,51 @@ std::optional<Rational> exact_product(const Construction& made, const PantsGraph
   return product;
 }
 
+/// The edges with a symmetric twist that is not exact.
+std::vector<std::size_t> rounded_twists(const FenchelNielsen& coordinates, const Construction& made) {
+  std::vector<std::size_t> result;
+  for (std::size_t e = 0; e < made.r.size(); ++e) {
+    const Rational share = share_of_twist(coordinates, e);
+    if (is_symmetric_share(share) && !exact_product(made, coordinates.graph.edges()[e], made.r[e], share))
+      result.push_back(e);
+  }
+  return result;
+}
+
+/// Whether all that is given exactly is exact: lengths of which exp(length/2) is rational, and symmetric twists.
+bool has_all_that_is_exact(const FenchelNielsen& coordinates) {
+  for (std::size_t e = 0; e < coordinates.lengths.size(); ++e) {
+    if (is_exact(coordinates.exact_lengths, e) && !rational_exponential(coordinates, e)) return false;
+    if (is_exact(coordinates.exact_twists, e) && !is_symmetric_share(share_of_twist(coordinates, e))) return false;
+  }
+  return true;
+}
+
+/// The numbers of the surface, if exp(length/2) and rounded twists do not do.
+std::optional<PantsNumbers> numbers_of_exact_pants(const FenchelNielsen& coordinates, const Construction& made) {
+  if (has_all_that_is_exact(coordinates) && rounded_twists(coordinates, made).empty()) return std::nullopt;
+  return pants_numbers(coordinates);
+}
+
 }  // namespace
+
+Rational share_of_twist(const FenchelNielsen& coordinates, std::size_t e) {
+  Rational turns = coordinates.twists[e] / coordinates.lengths[e];
+  if (is_exact(coordinates.exact_lengths, e) && is_exact(coordinates.exact_twists, e) &&
+      coordinates.exact_lengths[e]->cosh == coordinates.exact_twists[e]->cosh) {
+    turns = coordinates.exact_twists[e]->times / coordinates.exact_lengths[e]->times;
+  }
+  turns += Rational(1, 2);
+  Integer whole = numerator(turns) / denominator(turns);
+  if (Rational(whole) > turns) --whole;
+  return turns - Rational(whole) - Rational(1, 2);
+}
 
 std::vector<std::size_t> rounded_symmetric_twists(const FenchelNielsen& coordinates) {
   check(coordinates);
   const Construction made = construction(coordinates);
-  std::vector<std::size_t> result;
-  for (std::size_t e = 0; e < made.r.size(); ++e) {
-    const Rational share = share_of_twist(coordinates, e);
-    if (is_symmetric(share) && !exact_product(made, coordinates.graph.edges()[e], made.r[e], share))
-      result.push_back(e);
-  }
-  return result;
+  if (numbers_of_exact_pants(coordinates, made)) return {};
+  return rounded_twists(coordinates, made);
 }
 
 Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
@@ -214,6 +222,7 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
   const PantsGraph& graph = coordinates.graph;
   const std::size_t n = graph.edges().size();
   const Construction made = construction(coordinates);
+  if (const auto numbers = numbers_of_exact_pants(coordinates, made)) return surface_of_pants(coordinates, *numbers);
   const auto& [r, pieces] = made;
 
   std::vector<std::array<Rational, 3>> y(pieces.size());
@@ -239,7 +248,7 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
     const Mp1024 f2 = sqrt(Mp1024(squared_mark(pieces[second.pants], second.cuff)));
     const Rational own = simplest_near(f * half_turn, cuff_bits);
     const std::optional<Rational> exact =
-        is_symmetric(share) ? exact_product(made, graph.edges()[e], r[e], share) : std::nullopt;
+        is_symmetric_share(share) ? exact_product(made, graph.edges()[e], r[e], share) : std::nullopt;
     const Rational other =
         exact ? *exact / own : simplest_near(f * f2 * half_turn * half_turn / Mp1024(own), cuff_bits + 49);
     y[first.pants][first.cuff] = own;

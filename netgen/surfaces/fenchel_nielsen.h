@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "netgen/surfaces/exact_length.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
@@ -78,6 +79,9 @@ struct FenchelNielsen {
   PantsGraph graph;
   std::vector<Rational> lengths;
   std::vector<Rational> twists;
+  /// By edge, those that are exact, of which the numbers above are approximations; empty, if none is.
+  std::vector<std::optional<ExactLength>> exact_lengths = {};
+  std::vector<std::optional<ExactLength>> exact_twists = {};
 };
 
 /// A length or a twist is out of range; what() names its edge.
@@ -92,19 +96,21 @@ class CoordinateError : public SurfaceError {
   std::string member_;
 };
 
-/// Returns the exact surface with these coordinates. It has 2g − 2 convex heptagons with rational vertices, each a pair
-/// of pants cut open. Its lengths differ from the given ones by a factor within 1 ± 2⁻⁵⁰. Its twists, taken modulo the
-/// lengths, differ by at most 2⁻⁵⁰ lengths; equal lengths stay equal, and twists by 0 or half of the length are exact
-/// but for those that rounded_symmetric_twists lists.
+/// Returns the exact surface with these coordinates. It has 2g − 2 convex heptagons, each a pair of pants cut open. Its
+/// lengths differ from the given ones by a factor within 1 ± 2⁻⁵⁰. Its twists, taken modulo the lengths, differ by at
+/// most 2⁻⁵⁰ lengths; equal lengths stay equal, lengths and twists that are given exactly are exact, and so are twists
+/// by 0 or half of the length but for those that rounded_symmetric_twists lists.
 ///
 /// Scheme: r = exp(length/2) is rounded to a rational number. Then the axes of the cuffs have rational ends, and every
-/// pair of pants and every gluing is a rational matrix. docs/fenchel-nielsen.md derives it. Linear in the genus. Throws
-/// SurfaceError unless there are as many lengths and twists as edges. Throws CoordinateError for a length outside
-/// [1e-25, 100].
+/// pair of pants and every gluing is a rational matrix. Where twists or exact lengths need it, cosh(length/2) and what
+/// exact_pants.h names are numbers of a field instead; the heptagons are over it if they are not rational.
+/// docs/fenchel-nielsen.md derives both. Linear in the genus. Throws SurfaceError unless there are as many lengths and
+/// twists as edges, and for exact numbers in a field of more than degree 64 or of too many bits. Throws CoordinateError
+/// for a length outside [1e-25, 100].
 [[nodiscard]] Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates);
 
 /// The edges with a twist of 0 or half of the length, modulo the length, that the surface has only up to rounding:
-/// symmetries that it owes to them may be lost. None between equal cuffs of equal pairs of pants. Throws as
+/// symmetries that it owes to them may be lost. None if exact_pants.h has numbers for them. Throws as
 /// fenchel_nielsen_surface does.
 [[nodiscard]] std::vector<std::size_t> rounded_symmetric_twists(const FenchelNielsen& coordinates);
 
@@ -133,7 +139,7 @@ struct FenchelNielsenRequest {
   /// Not needed with edges, nor with lists of lengths or twists, which have 3g - 3 numbers.
   std::optional<std::uint32_t> genus;
   std::optional<std::uint64_t> seed;
-  /// Decimals or rationals, one for each edge, or one for all. Empty: random.
+  /// Decimals, rationals, or texts of parse_exact_length, one for each edge, or one for all. Empty: random.
   std::vector<std::string> lengths;
   std::vector<std::string> twists;
 };

@@ -95,23 +95,43 @@ std::optional<PantsGraph> graph_of(const FenchelNielsenRequest& request) {
   return edges;
 }
 
-/// Returns one number for each edge; a single text stands for all.
-std::vector<Rational> numbers(const std::vector<std::string>& texts, const char* what, std::size_t edges) {
-  std::vector<Rational> result;
+/// Reads an exact length, if it is one.
+std::optional<ExactLength> exact_length(const std::string& text, const char* what) {
+  try {
+    return parse_exact_length(text);
+  } catch (const SurfaceError& error) {
+    throw RequestError(what, error.what());
+  }
+}
+
+/// Lengths or twists: their values, and those that are exact.
+struct Lengths {
+  std::vector<Rational> values;
+  std::vector<std::optional<ExactLength>> exact;  ///< Empty, if none is.
+};
+
+/// Returns one length for each edge; a single text stands for all.
+Lengths read_lengths(const std::vector<std::string>& texts, const char* what, std::size_t edges) {
+  Lengths result;
   for (const std::string& text : texts) {
-    const std::optional<Rational> value = parse_decimal(text);
+    const std::optional<ExactLength> exact = exact_length(text, what);
+    const std::optional<Rational> value = exact ? exact->approximate : parse_decimal(text);
     if (!value) {
-      throw RequestError(what, "expected a number such as 0.5, -1e-3 or 1/3, not " + in_quotes(text));
+      throw RequestError(what, "expected a number such as 0.5, -1e-3 or 1/3, or 2*arcosh(3/2), not " + in_quotes(text));
     }
-    result.push_back(*value);
+    result.values.push_back(*value);
+    result.exact.push_back(exact);
   }
-  if (result.size() == 1) {
-    result.resize(edges, result.front());
+  if (result.values.size() == 1) {
+    result.values.resize(edges, result.values.front());
+    result.exact.resize(edges, result.exact.front());
   }
-  if (result.size() != edges) {
+  if (result.values.size() != edges) {
     throw RequestError(what, "expected 1 or " + std::to_string(edges) + ", one for each edge of the graph, not " +
-                                 std::to_string(result.size()));
+                                 std::to_string(result.values.size()));
   }
+  if (std::none_of(result.exact.begin(), result.exact.end(), [](const auto& x) { return x.has_value(); }))
+    result.exact.clear();
   return result;
 }
 
@@ -222,9 +242,9 @@ FenchelNielsen resolve(const FenchelNielsenRequest& given) {
   const std::size_t edges = graph ? graph->edges().size() : 3 * std::size_t{genus_of(request)} - 3;
   const bool draw_lengths = request.lengths.empty();
   const bool draw_twists = request.twists.empty();
-  std::vector<Rational> lengths, twists;
-  if (!draw_lengths) lengths = numbers(request.lengths, "lengths", edges);
-  if (!draw_twists) twists = numbers(request.twists, "twists", edges);
+  Lengths lengths, twists;
+  if (!draw_lengths) lengths = read_lengths(request.lengths, "lengths", edges);
+  if (!draw_twists) twists = read_lengths(request.twists, "twists", edges);
   // All given values are valid; the missing ones are drawn.
   if (request.graph.empty() && !request.seed && has_all_coordinates(request)) {
     throw RequestError("graph",
@@ -236,13 +256,14 @@ FenchelNielsen resolve(const FenchelNielsenRequest& given) {
     const char* what = !draw_lengths ? "twists" : !draw_twists ? "lengths" : "lengths and twists";
     FenchelNielsen drawn = random_coordinates(*graph, seed_of(request, what));
     if (draw_twists) {
-      twists = std::move(drawn.twists);
+      twists.values = std::move(drawn.twists);
       // Twists are drawn as shares of the length.
-      for (std::size_t e = 0; e < edges && !draw_lengths; ++e) twists[e] *= lengths[e] / drawn.lengths[e];
+      for (std::size_t e = 0; e < edges && !draw_lengths; ++e) twists.values[e] *= lengths.values[e] / drawn.lengths[e];
     }
-    if (draw_lengths) lengths = std::move(drawn.lengths);
+    if (draw_lengths) lengths.values = std::move(drawn.lengths);
   }
-  return {*std::move(graph), std::move(lengths), std::move(twists)};
+  return {*std::move(graph), std::move(lengths.values), std::move(twists.values), std::move(lengths.exact),
+          std::move(twists.exact)};
 }
 
 FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {

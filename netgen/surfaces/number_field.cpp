@@ -185,6 +185,31 @@ RationalPolynomial expressed(const RationalPolynomial& x, const RationalPolynomi
   return coordinates.solution(0);
 }
 
+/// A positive integer whose n-th power is a multiple of x; the least one, if the prime factors of x that are not small
+/// make an n-th power.
+mpz_class root_of_multiple(mpz_class x, unsigned long n) {
+  constexpr unsigned long kSmall = 100;
+  mpz_class result = 1;
+  for (unsigned long prime = 2; prime < kSmall; ++prime) {
+    unsigned long exponent = 0;
+    for (; mpz_divisible_ui_p(x.get_mpz_t(), prime) != 0; ++exponent) x /= prime;
+    for (unsigned long i = 0; i < exponent; i += n) result *= prime;
+  }
+  mpz_class root;
+  return result * (mpz_root(root.get_mpz_t(), x.get_mpz_t(), n) != 0 ? root : x);
+}
+
+/// A positive integer times which a root of t^m + p[m − 1] t^(m−1) + … is an algebraic integer, if the p are rational:
+/// the minimal polynomials of others have more digits. Of the others of a field the denominators say little.
+mpz_class integral_multiple(const std::vector<RationalPolynomial>& p) {
+  mpz_class result = 1;
+  if (!std::all_of(p.begin(), p.end(), is_constant)) return result;
+  for (std::size_t j = 0; j < p.size(); ++j) {
+    result = lcm(result, root_of_multiple(denominator_of(p[j]), p.size() - j));
+  }
+  return result;
+}
+
 /// The field became larger: what was read before means something else now.
 struct Adjoined {};
 
@@ -351,6 +376,20 @@ certify::Ball NumberFieldReader::value(const RationalPolynomial& x) const {
 }
 
 RationalPolynomial NumberFieldReader::adjoined(const std::vector<RationalPolynomial>& p, const certify::Ball& t) {
+  const mpz_class scale = integral_multiple(p);
+  std::vector<RationalPolynomial> scaled = p;
+  mpz_class power = 1;
+  for (auto x = scaled.rbegin(); x != scaled.rend(); ++x) {
+    power *= scale;
+    *x = product_of(*x, constant(power));
+  }
+  const certify::Precision scope(kValueBits);
+  RationalPolynomial root = adjoined_integer(scaled, certify::Ball::rounded(scale) * t);
+  return product_of(root, constant(mpq_class(1, scale)));
+}
+
+RationalPolynomial NumberFieldReader::adjoined_integer(const std::vector<RationalPolynomial>& p,
+                                                       const certify::Ball& t) {
   const auto m = static_cast<slong>(p.size());
   const slong size = degree() * m;
   constexpr slong kMostSize = 2 * kMostDegree;

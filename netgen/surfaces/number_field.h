@@ -48,6 +48,10 @@ class NumberFieldReader {
   /// The numbers in the order in which they were read, as polynomials in α.
   [[nodiscard]] const std::vector<RationalPolynomial>& numbers() const { return numbers_; }
 
+  [[nodiscard]] RationalPolynomial product(const RationalPolynomial& x, const RationalPolynomial& y) const;
+  /// To 4,096 bits.
+  [[nodiscard]] certify::Ball value(const RationalPolynomial& x) const;
+
  private:
   friend class NumberFieldParser;
 
@@ -58,11 +62,11 @@ class NumberFieldReader {
   };
 
   [[nodiscard]] slong degree() const { return fmpz_poly_degree(f_.get()); }
-  [[nodiscard]] RationalPolynomial product(const RationalPolynomial& x, const RationalPolynomial& y) const;
   [[nodiscard]] RationalPolynomial quotient(const RationalPolynomial& x, const RationalPolynomial& y) const;
-  [[nodiscard]] certify::Ball value(const RationalPolynomial& x) const;
   /// The root t, near which it is known, of t^m + p[m − 1] t^(m−1) + …, in the field that has it as well.
   [[nodiscard]] RationalPolynomial adjoined(const std::vector<RationalPolynomial>& p, const certify::Ball& t);
+  /// As `adjoined`, but for coefficients without fractions.
+  [[nodiscard]] RationalPolynomial adjoined_integer(const std::vector<RationalPolynomial>& p, const certify::Ball& t);
   /// The field becomes ℚ(θ), θ the root of h near which it is known. Numbers of the field, polynomials in α, which is
   /// this polynomial in θ, become polynomials in the new α, and so does `also`, a polynomial in θ.
   void move_to(const certify::Polynomial& h, const certify::Ball& theta, const RationalPolynomial& alpha,

@@ -223,8 +223,9 @@ class Surface(Drawn, Immutable):
         hyperbolic length, too. One number stands for all edges.
 
         ``graph``: edges, as [(0, 1), (0, 1), (0, 1)] or "0-1 0-1 0-1", of which the nodes are the pairs of pants; or "chain", "ring", "tree",
-        "random" with a genus; the default for genus 2, where lengths and twists are given, is "theta", 0-1 0-1 0-1. Missing values are drawn with the seed. Exact: lengths and twists of the surface differ from those asked for
-        by a factor within 1 ± 2⁻⁵⁰ (docs/fenchel-nielsen.md).
+        "random" with a genus; the default for genus 2, where lengths and twists are given, is "theta", 0-1 0-1 0-1. Missing values are
+        drawn with the seed. Lengths and twists of the surface differ from decimals by a factor within 1 ± 2⁻⁵⁰; twists by 0 and by half of
+        the length, and texts such as "2*arcosh(3/2)", "2*log(3)" or "arcosh(1+sqrt(2))", are exact (docs/fenchel-nielsen.md).
 
         >>> import epsnet
         >>> thin = epsnet.Surface.fenchel_nielsen(["1/1000", 1, 2], 0, [(0, 0), (0, 1), (1, 1)])
@@ -232,6 +233,8 @@ class Surface(Drawn, Immutable):
         <Surface of 2 tiles, genus 2>
         >>> epsnet.Surface.fenchel_nielsen(lengths=2, twists="1/2", graph="ring", genus=5).genus
         5
+        >>> len(epsnet.Surface.fenchel_nielsen("2*arcosh(3/2)", "arcosh(3/2)", "theta").isometries())
+        24
         """
         if graph is None:
             graph = ""

@@ -231,6 +231,15 @@ def test_the_graph_of_the_tiles(octagon, pants, bolza):
     assert networkx.diameter(networkx.Graph(klein.graph().face_edges.tolist())) == 3
 
 
+def test_exact_lengths_and_twists_keep_the_isometries():
+    exact = Surface.fenchel_nielsen(["2*arcosh(3/2)", "2*log(3)", "arcosh(1+sqrt(2))"], 0, "theta")
+    assert len(exact.isometries()) == 4 and exact.genus == 2
+    unequal = Surface.fenchel_nielsen([2, 3, 4], 0, "0-0 0-1 1-1")
+    assert len(unequal.isometries()) == 4 and len(unequal.tiles) == 2
+    with pytest.raises(epsnet.EpsnetError, match="the log of a number that is not positive"):
+        Surface.fenchel_nielsen(["log(-3)", 1, 1], 0, "theta")
+
+
 def test_lists_of_coordinates_have_a_graph():
     lists = [1, 2, 3], [0, "1/2", 0]
     theta = Surface.fenchel_nielsen(*lists)

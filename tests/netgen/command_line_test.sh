@@ -463,9 +463,12 @@ json '"regular":true,' surface regular --genus 2 -o x.json --json
 json '^{"file":"surface","genus":3,' surface fenchel-nielsen --genus 3 --seed 3 -o x.json --json
 json '^{"file":"surface","genus":3,' surface import "$polygon" -o x.json --json
 # A symmetry that rounding may have taken away is named; the file is written all the same.
-"$epsnet" surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-8,2 --twists 0 -o thin.json >output 2>"$messages"
+"$epsnet" surface fenchel-nielsen --pants-graph ring --genus 6 --lengths 1,1.1,1.2,1.3,1.4,1.5,1.6,1.7,1.8,1.9,2,2.1,2.2,2.3,2.4 \
+  --twists 0.1,0,0.1,0.1,0.1,0.1,0.1,0.1,0.1,0.1,0.1,0.1,0.1,0.1,0.1 -o ring.json >output 2>"$messages"
 [ "$(cat "$messages")" = 'rounded: the twist of edge 1 is 0 or half of the length only up to 2^-50 lengths: reflections may be lost' ] ||
-  complain "what is said of a twist of 0 between different pants: $(cat "$messages")"
+  complain "what is said of a twist of 0 among many different pants: $(cat "$messages")"
+"$epsnet" surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-8,2 --twists 0 -o thin.json >output 2>"$messages"
+[ ! -s "$messages" ] || complain "a twist of 0 between different pants: $(cat "$messages")"
 json '"collars":1,' net thin.json --epsilon 0.34 --pseudo --json -o pseudo.json
 json '^{"file":"pseudo net",.*"collars":\[{"vertices":\[[0-9]*,[0-9]*\],"core_length":\[' info --json pseudo.json
 runs=$((runs + 1))
@@ -708,6 +711,9 @@ bad 64 'are one file' diameter s.json -o out/x.json --ends out/x.json
 bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --genus 1 -o out/x.json
 bad 64 '^epsnet: --lengths: expected 1 or 3' surface fenchel-nielsen --genus 2 --lengths 1,2 -o out/x.json
 bad 64 '^epsnet: --twists: expected 1 or 6' surface fenchel-nielsen --genus 3 --twists 1,2 -o out/x.json
+bad 64 '^epsnet: --lengths: expected a length such as 0.5, 2[*]arcosh(3/2)' surface fenchel-nielsen --genus 2 --lengths '2*arcosh(3' --twists 0 -o out/x.json
+bad 64 '^epsnet: --lengths: the arcosh of a number that is less than 1 in "arcosh(1/2)"$' surface fenchel-nielsen --genus 2 --lengths 'arcosh(1/2)' --twists 0 -o out/x.json
+good surface fenchel-nielsen --pants-graph theta --lengths '2*arcosh(root(x^2-2,1.4)),log(3),2*arsinh(1/2)' --twists '0,log(3)/2,.5' -o x.json
 bad 64 '^epsnet: --twists: expected a number' surface fenchel-nielsen --genus 3 --twists x -o out/x.json
 bad 64 '^epsnet: --seed: needed' surface fenchel-nielsen --genus 3 -o out/x.json
 bad 64 '^epsnet: --pants-graph: needed for these lengths and twists: chain, ring, tree, edges such as "0-1 0-1 0-1", or random, with a seed$' \

@@ -109,6 +109,42 @@ TEST(DehnTwist, TheTwistedSurfaceIsIsometric) {
   }
 }
 
+TEST(DehnTwist, SurfacesOverAFieldAreTwistedOverTheField) {
+  const Surface surface = fenchel_nielsen_surface(
+      resolve({"theta", std::nullopt, std::nullopt, {"2*arcosh(3/2)", "2*log(3)", "arcosh(1+sqrt(2))"}, {"0"}}));
+  ASSERT_TRUE(surface.field_tiles());
+  // Over two cuffs, along seams: it meets both of them, and what goes around one of them.
+  const Word curve{surface.side_number(TileId(0), 6), surface.side_number(TileId(1), 1)};
+  const Surface twisted = dehn_twisted(surface, curve, 2);
+  EXPECT_EQ(twisted.tiles().size(), 10U);
+  EXPECT_EQ(isometric(surface, twisted).kind, IsometricAnswer::Kind::yes);
+  const Surface start = dehn_twisted(surface, curve, 0);
+  EXPECT_EQ(start.gluing(), twisted.gluing());
+  const ById<SideId, Word> images = dehn_twist_words(surface, curve, 2);
+  // Sides of heptagons are sides 0, 1 and 2 of the first, the middle ones and the last triangle.
+  const auto side_of_triangle = [&](SideId s) {
+    const std::uint32_t k = surface.place_in_tile(s);
+    const std::uint32_t first = 5 * surface.tile_of_side(s).number();
+    return k == 0   ? start.side_number(TileId(first), 0)
+           : k == 6 ? start.side_number(TileId(first + 4), 2)
+                    : start.side_number(TileId(first + k - 1), 1);
+  };
+  for (const SideId s : surface.side_ids()) {
+    // There and back through one tile, as far as a path closes up.
+    if (surface.tile_of_side(s) != surface.tile_of_side(surface.partner(s))) continue;
+    const SideId t = side_of_triangle(s);
+    // From the triangle beyond back to that before, over diagonals.
+    Word path{t};
+    const auto triangle = [&](SideId side) { return start.tile_of_side(side).number(); };
+    for (std::uint32_t i = triangle(start.partner(t)); i != triangle(t);) {
+      const bool up = i < triangle(t);
+      path.push_back(start.side_number(TileId(i), up ? 2 : 0));
+      i = up ? i + 1 : i - 1;
+    }
+    EXPECT_NEAR(length(twisted, path), length(surface, images[s]), 1e-9) << s.number();
+  }
+}
+
 TEST(DehnTwist, TurnsLeftAsTwistsDo) {
   // The tiles of a surface are those of the twist modulo the length, between −½ and ½ of it.
   const Rational nearly(999'999'999, 2'000'000'000);

@@ -161,12 +161,109 @@ TEST(FenchelNielsen, SymmetriesOfTwistsAreExact) {
   }
 }
 
+/// What a request makes, with all isometries.
+void expect_isometries(const std::string& request, std::size_t order, bool is_rational) {
+  const FenchelNielsen coordinates = resolve(parse_fenchel_nielsen(request));
+  EXPECT_TRUE(rounded_symmetric_twists(coordinates).empty()) << request;
+  const Surface surface = fenchel_nielsen_surface(coordinates);
+  EXPECT_EQ(surface.is_rational(), is_rational) << request;
+  EXPECT_EQ(surface.vertex_class_count(), 3 * surface.genus() - 3) << request;
+  EXPECT_EQ(isometries(surface).size(), order) << request;
+}
+
+/// With twists 0 the reflection of all pairs of pants is one of the surface; in genus 2 there is the hyperelliptic
+/// involution; two pairs of pants with the same three lengths can be exchanged, and equal cuffs.
+TEST(FenchelNielsen, DecimalsBetweenUnequalPantsKeepTheirSymmetries) {
+  constexpr bool kRational = true;
+  expect_isometries(R"({"graph": "0-0 0-1 1-1", "lengths": [2, 3, 4], "twists": [0]})", 4, kRational);
+  expect_isometries(R"({"graph": "0-0 0-1 1-1", "lengths": [2, 3, 4], "twists": [1, 1.5, 2]})", 4, kRational);
+  // Cuffs 2 and 3 can be exchanged; this turns cuffs 1 and 4 by half of their lengths.
+  expect_isometries(R"({"graph": "0-0 0-1 1-2 1-2 2-3 3-3", "lengths": [2, 3, 1.5, 1.5, 2.5, 4], "twists": [0]})", 4,
+                    kRational);
+  expect_isometries(R"({"graph": "chain", "genus": 4, "lengths": [1, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8],
+                        "twists": [0]})",
+                    2, kRational);
+  // One root stays irrational where each pair of pants has others on all sides.
+  expect_isometries(R"({"graph": "0-1 0-2 0-3 1-2 1-3 2-3", "lengths": [1, 2, 3, 4, 5, 6], "twists": [0]})", 2,
+                    !kRational);
+}
+
+TEST(FenchelNielsen, ExactLengthsAreExact) {
+  constexpr bool kRational = true;
+  expect_isometries(R"json({"graph": "theta", "lengths": ["2*arcosh(3/2)"], "twists": [0]})json", 24, !kRational);
+  expect_isometries(R"json({"graph": "theta", "lengths": ["2*arcosh(3/2)"], "twists": ["arcosh(3/2)"]})json", 24,
+                    !kRational);
+  expect_isometries(R"json({"graph": "theta", "lengths": ["2*log(3)"], "twists": ["log(3)"]})json", 24, kRational);
+  expect_isometries(
+      R"json({"graph": "theta", "lengths": ["2*arcosh(3/2)", "2*log(3)", "arcosh(1 + sqrt(2))"], "twists": [0]})json",
+      4, !kRational);
+  expect_isometries(
+      R"json({"graph": "0-0 0-1 1-1", "lengths": ["2*arsinh(1)", "2*log(3)", "2*arsinh(1)"], "twists": [0]})json", 8,
+      !kRational);
+}
+
+/// The exact surface and one with twists that are a little more, which are rounded.
+TEST(FenchelNielsen, ExactSurfacesAreNearToRoundedOnes) {
+  for (
+      const char* request : {
+          R"({"graph": "0-0 0-1 1-1", "lengths": [2, 3, 4], "twists": [0, 0.7, -2]})",
+          R"({"graph": "0-1 0-2 0-3 1-2 1-3 2-3", "lengths": [1, 2, 3, 2.5, 1.5, 0.5],
+               "twists": [0, 0.5, -1, 0, 0.3, 0]})",
+          R"json({"graph": "theta", "lengths": ["2*arcosh(3/2)", "2*log(7)", 2.5], "twists": ["log(3/2)", 0, 0.3]})json",
+          R"json({"graph": "0-0 0-1 1-1", "lengths": ["arcosh(7)", "2*arcosh(5/4)", "2*arsinh(1/2)"],
+                   "twists": ["-log(5/4)", "arsinh(1/9)", 0]})json",
+      }) {
+    const FenchelNielsen exact = resolve(parse_fenchel_nielsen(request));
+    FenchelNielsen rounded{exact.graph, exact.lengths, exact.twists};
+    for (Rational& twist : rounded.twists) twist += Rational(1, 1'000'000'000'000'000);
+    const Surface one = fenchel_nielsen_surface(exact);
+    const Surface other = fenchel_nielsen_surface(rounded);
+    EXPECT_EQ(one.gluing(), other.gluing());
+    for (std::size_t e = 0; e < exact.lengths.size(); ++e) {
+      const auto& [first, second] = exact.graph.edges()[e];
+      EXPECT_LT(abs(length_of(one, cuff_word(one, first)) - Mp1024(exact.lengths[e])), ldexp(Mp1024(1), -47));
+      // Over the cuff, around one of the other pair of pants, and back around one of this.
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        Word word{cuff_side(one, first)};
+        for (const SideId s : cuff_word(one, {second.pants, k})) word.push_back(s);
+        word.push_back(cuff_side(one, second));
+        for (const SideId s : cuff_word(one, {first.pants, (first.cuff + 1) % 3})) word.push_back(s);
+        EXPECT_LT(abs(length_of(one, word) - length_of(other, word)), 1e-13) << request << e << k;
+      }
+    }
+  }
+}
+
 TEST(FenchelNielsen, TwistsThatAreNotExactAreNamed) {
-  // Pants with the cuffs 2, 2, 1 and 1, 3, 3: edge 1 joins different pants; edges 0 and 2 cuffs of one.
-  const FenchelNielsen coordinates = with("0-0 0-1 1-1", {2, 1, 3}, {Rational(1, 3), Rational(1, 2), Rational(1, 3)});
+  // Ten pairs of pants with others on all sides, and fifteen lengths.
+  FenchelNielsen coordinates{PantsGraph::ring(6), {}, std::vector<Rational>(15, Rational(1, 3))};
+  for (int e = 0; e < 15; ++e) coordinates.lengths.emplace_back(100 + e, 100);
+  coordinates.twists[1] = 0;
   EXPECT_EQ(rounded_symmetric_twists(coordinates), std::vector<std::size_t>{1});
   // Whatever is not symmetric is rounded anyway.
   EXPECT_TRUE(rounded_symmetric_twists(with("0-0 0-1 1-1", {2, 1, 3}, {1.5, Rational(1, 3), 0.25})).empty());
+}
+
+TEST(FenchelNielsen, ExactLengthsThatAreNoneAreNamed) {
+  const auto expect = [](const std::string& length, const std::string& problem) {
+    try {
+      (void)fenchel_nielsen_surface(
+          resolve({"theta", std::nullopt, std::nullopt, {length, "2*arcosh(3)", "2*arcosh(4)"}, {"0"}}));
+      ADD_FAILURE() << length;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr(problem)) << length;
+    }
+  };
+  expect("arcosh(1/2)", "lengths: the arcosh of a number that is less than 1 in \"arcosh(1/2)\"");
+  expect("log(-3)", "the log of a number that is not positive");
+  expect("-2*arcosh(3)", "zero or negative");
+  expect("arcosh(3)/3", "its denominator a power of 2, not \"arcosh(3)/3\"");
+  expect("65*arcosh(3)", "at most 64");
+  expect("arcosh(3", "expected a length such as");
+  expect("arcosh(3)+1", "expected a length such as");
+  expect("arcosh(3*x)", "expected");
+  expect("arcosh(root(x^65-2,1))", "expected a power of at most 64");
+  expect("arcosh(root(x^64-3,1)+root(x^3-2,1))", "in a field of degree 192, expected at most 64");
 }
 
 TEST(FenchelNielsen, TheSurfaceSaysWhatItIs) {
@@ -218,8 +315,26 @@ RC_GTEST_PROP(FenchelNielsenProperty, CuffsHaveTheirLengths, ()) {
   }
 }
 
-/// Two cuffs of one pair of pants at distance d (their common perpendicular), glued with a shift x: the closed geodesic
-/// that crosses the cuff once has cosh(length/2) = cosh(d/2) cosh(x/2), as the product of translations along
+/// Whatever the lengths are, twists of 0 and of half of the length give a surface, exactly or with a warning.
+RC_GTEST_PROP(FenchelNielsenProperty, SymmetricTwistsGiveASurface, ()) {
+  FenchelNielsen coordinates = any_coordinates(4);
+  for (std::size_t e = 0; e < coordinates.twists.size(); ++e) {
+    if (any_index(4u) == 0) continue;
+    coordinates.twists[e] = any_index(2u) == 0 ? Rational(0) : Rational(coordinates.lengths[e] / 2);
+    if (e > 0 && any_index(2u) == 0) coordinates.lengths[e] = coordinates.lengths[e - 1];
+  }
+  const Surface surface = fenchel_nielsen_surface(coordinates);
+  RC_ASSERT(surface.genus() == coordinates.graph.genus());
+  for (std::size_t e = 0; e < coordinates.lengths.size(); ++e) {
+    const Mp1024 asked(coordinates.lengths[e]);
+    for (const PantsGraph::End& end : coordinates.graph.edges()[e]) {
+      RC_ASSERT(abs(length_of(surface, cuff_word(surface, end)) - asked) <= ldexp(asked, -50));
+    }
+  }
+}
+
+/// Two cuffs of one pair of pants at distance d (their common perpendicular), glued with a shift x: the closed
+/// geodesic that crosses the cuff once has cosh(length/2) = cosh(d/2) cosh(x/2), as the product of translations along
 /// perpendicular axes. The marks are half a cuff apart on the second cuff, where the mark is the foot of another
 /// perpendicular; turns around the cuff shift by its length.
 RC_GTEST_PROP(FenchelNielsenProperty, TwistsAreShiftsOfTheMarks, ()) {
