@@ -70,7 +70,8 @@ Result check(std::string_view text, const Limits& limits) {
     }
     if (is_text(format, "epsnet-isometries")) {
       const IsometriesDocument document = read_isometries(root);
-      return ask_all(document.spectrum.net, [&](auto& net) { return isometry_rules(document, net, limits.lifts); });
+      return ask_all(document.spectrum.net,
+                     [&](auto& net) { return isometry_rules(document, net, limits.lifts_under_isometries); });
     }
     if (is_text(format, "epsnet-pants")) {
       const PantsDocument document = read_pants(root);
