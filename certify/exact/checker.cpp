@@ -46,7 +46,7 @@ Result ask_all(const Net& net, const OwnRules& own_rules) {
 
 }  // namespace
 
-Result check(std::string_view text, long most_lifts) {
+Result check(std::string_view text, const Limits& limits) {
   if (text.starts_with("\211EPSNET\n")) return left_out("compact files");
   try {
     const Json root = parse_json(text);
@@ -54,7 +54,7 @@ Result check(std::string_view text, long most_lifts) {
     const Json& format = member(root, "format");
     if (is_text(format, "epsnet-geodesics")) {
       const GeodesicsDocument document = read_geodesics(root);
-      return ask_all(document.net, [&](auto& net) { return geodesic_rules(document, net, most_lifts); });
+      return ask_all(document.net, [&](auto& net) { return geodesic_rules(document, net, limits.lifts); });
     }
     if (is_text(format, "epsnet-distance")) {
       const DistanceDocument document = read_distance(root);
@@ -66,11 +66,12 @@ Result check(std::string_view text, long most_lifts) {
     }
     if (is_text(format, "epsnet-eigenvalues")) {
       const EigenvaluesDocument document = read_eigenvalues(root);
-      return ask_all(document.net, [&](auto& net) { return eigenvalue_rules(document, net, most_lifts); });
+      return ask_all(document.net, [&](auto& net) { return eigenvalue_rules(document, net, limits.values); });
     }
     if (is_text(format, "epsnet-isometries")) {
       const IsometriesDocument document = read_isometries(root);
-      return ask_all(document.spectrum.net, [&](auto& net) { return isometry_rules(document, net, most_lifts); });
+      return ask_all(document.spectrum.net,
+                     [&](auto& net) { return isometry_rules(document, net, limits.lifts_under_isometries); });
     }
     if (is_text(format, "epsnet-pants")) {
       const PantsDocument document = read_pants(root);

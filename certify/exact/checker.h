@@ -23,15 +23,21 @@ struct Result {
 /// What takes the place of a rule where a file is not for this checker; the message says what kind of file it is.
 inline constexpr const char* kLeftOut = "document";
 
-/// Lifted vertices that a list of geodesics may ask for, and values that eigenfunctions may, and matrices for 2000
-/// multiplications each: some seconds, and minutes.
-inline constexpr long kUsualLifts = 100'000;
-inline constexpr long kMostLifts = 10'000'000;
+/// What a file may ask for.
+struct Limits {
+  long lifts;                   ///< Lifted vertices for a list of geodesics,
+  long lifts_under_isometries;  ///< and if isometries rest on it, which take more time for each loop.
+  long values;                  ///< Values of eigenfunctions; and matrices may ask for 2000 multiplications each.
+};
+/// Some seconds.
+inline constexpr Limits kUsualLimits{.lifts = 1'000'000, .lifts_under_isometries = 100'000, .values = 100'000};
+/// Minutes.
+inline constexpr Limits kMostLimits{.lifts = 10'000'000, .lifts_under_isometries = 10'000'000, .values = 10'000'000};
 
 /// The verdict on a file. Compact files, lists of geodesics that take more lifts, and eigenfunctions and matrices that
 /// take more work are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels,
 /// for lists of geodesics, and for eigenvalues. Throws std::bad_alloc only.
-[[nodiscard]] Result check(std::string_view text, long most_lifts = kUsualLifts);
+[[nodiscard]] Result check(std::string_view text, const Limits& limits = kUsualLimits);
 
 /// Whether the text is a surface file, well-formed and no more: such a file claims nothing, so there is no verdict.
 [[nodiscard]] bool is_surface_file(std::string_view text);

@@ -10,7 +10,7 @@
 /// The rules of claims about a net, to be asked after those of the net, which are verified then. Each
 /// function throws Malformed if the structure of the document is broken; the net's rules and the document must live as
 /// long as what it returns. A list of geodesics may ask for `most_lifts` lifted vertices,
-/// eigenfunctions for as many values, and matrices for 2000 times as many multiplications.
+/// eigenfunctions for `most_values` values, and matrices for 2000 times as many multiplications.
 namespace epsnet::exact {
 
 /// Section 11.1 of docs/proof.md: a list of geodesics.
@@ -29,7 +29,7 @@ template <class R>
 /// Section 17.
 template <class R>
 [[nodiscard]] std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<R>& net,
-                                                 long most_lifts);
+                                                 long most_values);
 /// Section 18.
 template <class R>
 [[nodiscard]] std::vector<Rule> isometry_rules(const IsometriesDocument& document, NetRules<R>& net, long most_lifts);

@@ -168,8 +168,8 @@ void check_structure(const Document& document) {
 template <class R>
 class EigenvalueRules {
  public:
-  EigenvalueRules(const Document& document, NetRules<R>& net, long most_lifts)
-      : document_(document), net_(net), most_lifts_(most_lifts) {
+  EigenvalueRules(const Document& document, NetRules<R>& net, long most_values)
+      : document_(document), net_(net), most_values_(most_values) {
     check_structure(document);
   }
 
@@ -189,7 +189,7 @@ class EigenvalueRules {
     std::vector<Inertia::Rows> rows;
     for (std::size_t dart = 0; dart < numbers.size(); dart += 3)
       rows.push_back({place[numbers[dart]], place[numbers[dart + 1]], place[numbers[dart + 2]]});
-    const auto multiplications = kMultiplications * static_cast<std::size_t>(most_lifts_);
+    const auto multiplications = kMultiplications * static_cast<std::size_t>(most_values_);
     return {std::move(rows), order.size(), multiplications / factorisations};
   }
   [[nodiscard]] HalvedNet halved_net() const {
@@ -251,14 +251,14 @@ class EigenvalueRules {
   void check_eigenfunctions() {
     const auto& rows = document_.eigenfunctions;
     if (rows.empty()) return;
-    Loops<R> loops(net_, Interval(), most_lifts_);  // Without any loop: for lifts of vertices.
+    Loops<R> loops(net_, Interval(), most_values_);  // Without any loop: for lifts of vertices.
     const auto minus_euler = static_cast<long>(document_.net.triangles.size() / 2 - document_.net.vertices.size());
     std::vector<NearLifts> near;
     std::size_t values = 0;
     for (const auto& row : rows) {
       near.push_back(near_lifts(loops, row.radius));
       values += values_needed(row, near.back());
-      if (values > static_cast<std::size_t>(most_lifts_)) throw LeftOut{"so many eigenfunctions"};
+      if (values > static_cast<std::size_t>(most_values_)) throw LeftOut{"so many eigenfunctions"};
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Interval error = eigenvalue_error(rows[i], document_.net.epsilon, near[i], minus_euler);
@@ -285,14 +285,14 @@ class EigenvalueRules {
 
   const Document& document_;
   NetRules<R>& net_;
-  long most_lifts_;
+  long most_values_;
 };
 
 }  // namespace
 
 template <class R>
-std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<R>& net, long most_lifts) {
-  const auto rules = std::make_shared<EigenvalueRules<R>>(document, net, most_lifts);
+std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<R>& net, long most_values) {
+  const auto rules = std::make_shared<EigenvalueRules<R>>(document, net, most_values);
   return kept(rules, rules->rules());
 }
 

@@ -15,10 +15,6 @@ bool decided(Answer answer, const char* what) {
   return answer == Answer::yes;
 }
 
-Place image(const Motion& g, const Place& z) {
-  return {g.a * z.n + g.b * z.d, conjugate(g.b) * z.n + conjugate(g.a) * z.d};
-}
-
 namespace {
 
 /// Comparisons of points that differ, of which some squares may have many, as in very thin collars: some seconds.
@@ -26,9 +22,11 @@ constexpr std::size_t kMostDifferent = 3'000'000;
 constexpr double kSquares = 1L << 30;
 constexpr double kError = 1.0 / (1L << 8);  ///< Of a place, in squares.
 
-/// Where a point is in the table, wrong by less than kError: the quotients of numbers that are known to 2⁻⁴⁵ of |d|.
-std::array<double, 2> in_squares(const Place& place) {
-  const std::array<const Interval*, 4> ends{&place.n.re, &place.n.im, &place.d.re, &place.d.im};
+/// Where a point is in the table, wrong by less than kError: the quotient of two numbers that are known to 2⁻⁴² of |d|,
+/// part by part, is wrong by less than 2⁻⁴⁰. Nothing if they are not known as well.
+template <class Number>
+std::optional<std::array<double, 2>> in_squares(const PlaceOf<Number>& place) {
+  const std::array<const Number*, 4> ends{&place.n.re, &place.n.im, &place.d.re, &place.d.im};
   std::array<double, 4> x{};
   double width = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -36,31 +34,68 @@ std::array<double, 2> in_squares(const Place& place) {
     width = std::max(width, ends.at(i)->upper() - x.at(i));
   }
   const double d = x[2] * x[2] + x[3] * x[3];
-  if (!(width < std::ldexp(std::sqrt(d), -45))) give_up("a point is not known well enough");
-  return {kSquares * (x[0] * x[2] + x[1] * x[3]) / d, kSquares * (x[1] * x[2] - x[0] * x[3]) / d};
+  if (!(width < std::ldexp(std::sqrt(d), -42))) return std::nullopt;
+  return std::array{kSquares * (x[0] * x[2] + x[1] * x[3]) / d, kSquares * (x[1] * x[2] - x[0] * x[3]) / d};
+}
+
+template <class Number>
+std::array<double, 2> known_in_squares(const PlaceOf<Number>& place) {
+  const auto result = in_squares(place);
+  if (!result) give_up("a point is not known well enough");
+  return *result;
 }
 
 }  // namespace
 
-void PointTable::insert(Index vertex, const Place& place, std::size_t number) {
-  const auto [x, y] = in_squares(place);
+template <class Number>
+void PointTable::insert(Index vertex, const PlaceOf<Number>& place, std::size_t number) {
+  const auto [x, y] = known_in_squares(place);
   numbers_[{vertex, std::lround(x), std::lround(y)}].push_back(number);
 }
 
-std::optional<std::size_t> PointTable::find(Index vertex, const Place& place,
-                                            const std::function<Answer(std::size_t)>& is_same) const {
-  const auto [x, y] = in_squares(place);
+void PointTable::for_each_near(Index vertex, const std::array<double, 2>& in_squares,
+                               const std::function<bool(std::size_t)>& use) const {
+  const auto& [x, y] = in_squares;
   for (long i = std::lround(x - 2 * kError); i <= std::lround(x + 2 * kError); ++i) {
     for (long j = std::lround(y - 2 * kError); j <= std::lround(y + 2 * kError); ++j) {
       const auto found = numbers_.find({vertex, i, j});
       if (found == numbers_.end()) continue;
       for (const std::size_t number : found->second) {
-        if (decided(is_same(number), "whether two lifts of a vertex are the same")) return number;
-        if (++different_ > kMostDifferent) leave_loops_out();
+        if (!use(number)) return;
       }
     }
   }
-  return std::nullopt;
+}
+
+void PointTable::count_different() const {
+  if (++different_ > kMostDifferent) leave_loops_out();
+}
+
+std::optional<std::size_t> PointTable::find(Index vertex, const Place& place,
+                                            const std::function<Answer(std::size_t)>& is_same) const {
+  std::optional<std::size_t> result;
+  for_each_near(vertex, known_in_squares(place), [&](std::size_t number) {
+    if (decided(is_same(number), "whether two lifts of a vertex are the same")) {
+      result = number;
+    } else {
+      count_different();
+    }
+    return !result;
+  });
+  return result;
+}
+
+PointTable::Found PointTable::find_roughly(Index vertex, const RoughPlace& place,
+                                           const std::function<Answer(std::size_t)>& is_same) const {
+  const auto squares = in_squares(place);
+  if (!squares) return {Answer::unknown, 0};
+  Found result{Answer::no, 0};
+  for_each_near(vertex, *squares, [&](std::size_t number) {
+    result = {is_same(number), number};
+    if (result.answer == Answer::no) count_different();
+    return result.answer == Answer::no;
+  });
+  return result;
 }
 
 template <class R>
@@ -69,6 +104,7 @@ Loops<R>::Loops(NetRules<R>& net, const Interval& bound, long most_lifts)
       bound_(bound),
       thick_(1 + square(sinh(Interval(net.net().epsilon)))),
       reach_(bound * thick_),
+      rough_reach_(reach_),
       lifts_left_(most_lifts) {
   prepare();
   for (Index v = 0; v < origin_.size(); ++v) find_at(v);
@@ -86,14 +122,17 @@ void Loops<R>::prepare() {
   for (const Vertex& vertex : net.vertices) {
     const auto m = enclosure(vertex.z.m);
     origin_.push_back({enclosure(vertex.z.n.re) / m, enclosure(vertex.z.n.im) / m});
+    rough_origin_.push_back(rounded(origin_.back()));
     gap_.push_back(enclosure(gap(vertex.z)) / square(m));
+    rough_gap_.emplace_back(gap_.back());
   }
   std::optional<std::array<R, 2>> shortest;
   for (Index dart = 0; dart < net_.darts(); ++dart) {
     const Index end = net_.start(next(dart));
     leaving_[net_.start(dart)].push_back(dart);
     const Motion motion = enclose(net_.element(dart));
-    steps_.push_back({end, motion, image(motion, self(end))});
+    const Place place = image(motion, self(end));
+    steps_.push_back({end, motion, place, rounded(motion), rounded(place)});
     const Point<R> p = net_.corner(dart);
     const Point<R> q = net_.corner(next(dart));
     std::array<R, 2> half{squared_difference(p, q), R(gap(p) * gap(q))};
@@ -101,26 +140,48 @@ void Loops<R>::prepare() {
   }
   for (const Interval& gap : gap_) {
     apart_.push_back(enclosure((*shortest)[0]) / enclosure((*shortest)[1]) * square(gap));
+    rough_apart_.emplace_back(apart_.back());
   }
+}
+
+template <class R>
+Answer Loops<R>::is_left_out(Index v, const RoughPlace& place, Index w, const RoughInterval& farthest,
+                             const std::vector<Lift>& lifts, const PointTable& known) const {
+  const Answer far = is_less(farthest, norm(place.n - rough_origin_[v] * place.d));
+  if (far == Answer::yes) return far;
+  const auto is_same = [&](std::size_t k) { return are_same(lifts[k].rough_place, place, w); };
+  return either(far, known.find_roughly(w, place, is_same).answer);
 }
 
 template <class R>
 std::vector<typename Loops<R>::Lift> Loops<R>::lifts(Index first, const Interval& reach) {
   std::vector<Interval> farthest;
-  for (const Interval& gap : gap_) farthest.push_back(reach * gap * gap_[first]);
-  std::vector<Lift> lifts{{first, {}, self(first), 0, 0}};
+  std::vector<RoughInterval> rough_farthest;
+  for (const Interval& gap : gap_) {
+    farthest.push_back(reach * gap * gap_[first]);
+    rough_farthest.emplace_back(farthest.back());
+  }
+  std::vector<Lift> lifts;
   PointTable table;
-  table.insert(first, lifts[0].place, 0);
+  lifts.push_back({first, {}, 0, 0, {}, rounded(self(first))});
+  table.insert(first, lifts[0].rough_place, 0);
   for (std::size_t i = 0; i < lifts.size(); ++i) {
     for (const Index dart : leaving_[lifts[i].vertex]) {
       const Step& step = steps_[dart];
-      const Place place = image(lifts[i].frame, step.place);
-      if (is_less(farthest[step.end], moved(first, place)) == Answer::yes) continue;
-      if (table.find(step.end, place, [&](std::size_t k) { return are_same(lifts[k].place, place, step.end); }))
-        continue;
+      const Index v = step.end;
+      RoughPlace rough_place = image(lifts[i].rough_frame, step.rough_place);
+      const Answer left_out = is_left_out(first, rough_place, v, rough_farthest[v], lifts, table);
+      if (left_out == Answer::yes) continue;
+      if (left_out == Answer::unknown) {
+        const Place place = image(lifts[i].frame, step.place);
+        if (is_less(farthest[v], moved(first, place)) == Answer::yes) continue;
+        if (table.find(v, place, [&](std::size_t k) { return are_same(this->place(lifts[k]), place, v); })) continue;
+        rough_place = rounded(place);
+      }
       if (--lifts_left_ < 0) leave_loops_out();
-      table.insert(step.end, place, lifts.size());
-      lifts.push_back({step.end, compose(lifts[i].frame, step.motion), place, i, dart});
+      table.insert(v, rough_place, lifts.size());
+      const Motion frame = compose(lifts[i].frame, step.motion);
+      lifts.push_back({v, frame, i, dart, rounded(frame), rough_place});
     }
   }
   return lifts;
@@ -134,9 +195,9 @@ void Loops<R>::find_at(Index first) {
     if (lift.vertex != first ||
         !decided(is_less(squared_half_length(lift.frame), bound_), "whether a loop is too long"))
       continue;
-    Loop loop{first, lift.frame, lift.place, {}};
+    Loop loop{first, lift.frame, place(lift), {}, 0, lift.rough_frame, lift.rough_place};
     for (std::size_t k = i; k != 0; k = lifts[k].parent) loop.darts.push_back(lifts[k].dart);
-    table_.insert(first, lift.place, loops_.size());
+    table_.insert(first, loop.place, loops_.size());
     loops_.push_back(std::move(loop));
   }
 }
@@ -170,7 +231,23 @@ std::size_t Loops<R>::representative(std::size_t i) const {
 }
 
 template <class R>
+PointTable::Found Loops<R>::along_roughly(std::size_t i, Index dart) const {
+  const Step& step = steps_[dart];
+  const Index v = step.end;
+  const RoughPlace place = image(inverse(step.rough_motion), image(loops_[i].rough_g, step.rough_place));
+  const Answer far = is_less(rough_reach_ * rough_gap_[v] * rough_gap_[v], norm(place.n - rough_origin_[v] * place.d));
+  if (far == Answer::yes) return {Answer::no, 0};
+  // One of them, or none because the place is perhaps farther than those that are known.
+  const auto found =
+      table_.find_roughly(v, place, [&](std::size_t k) { return are_same(loops_[k].rough_place, place, v); });
+  return found.answer == Answer::yes ? found : PointTable::Found{Answer::unknown, 0};
+}
+
+template <class R>
 std::optional<std::size_t> Loops<R>::along(std::size_t i, Index dart) const {
+  if (const auto found = along_roughly(i, dart); found.answer != Answer::unknown) {
+    return found.answer == Answer::yes ? std::optional(found.number) : std::nullopt;
+  }
   const Step& step = steps_[dart];
   const Place place = image(inverse(step.motion), image(loops_[i].g, step.place));
   return is_reached(step.end, place) ? std::optional(at(step.end, place)) : std::nullopt;

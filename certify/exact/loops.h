@@ -3,9 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <optional>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "certify/exact/interval.h"
@@ -26,12 +25,25 @@ using Motion = Isometry<Interval>;
 bool decided(Answer answer, const char* what);
 
 /// The point n/d of the disk of a chart; |d|² − |n|² is 1 − |z|² of the vertex of which it is a lift.
-struct Place {
-  Complex<Interval> n;
-  Complex<Interval> d;
+template <class Number>
+struct PlaceOf {
+  Complex<Number> n;
+  Complex<Number> d;
 };
+using Place = PlaceOf<Interval>;
+using RoughPlace = PlaceOf<RoughInterval>;
 
-[[nodiscard]] Place image(const Motion& g, const Place& z);
+template <class Number>
+[[nodiscard]] PlaceOf<Number> image(const Isometry<Number>& g, const PlaceOf<Number>& z) {
+  return {g.a * z.n + g.b * z.d, conjugate(g.b) * z.n + conjugate(g.a) * z.d};
+}
+
+/// The same numbers, to a few digits.
+[[nodiscard]] inline Complex<RoughInterval> rounded(const Complex<Interval>& x) {
+  return {RoughInterval(x.re), RoughInterval(x.im)};
+}
+[[nodiscard]] inline Isometry<RoughInterval> rounded(const Motion& f) { return {rounded(f.a), rounded(f.b)}; }
+[[nodiscard]] inline RoughPlace rounded(const Place& z) { return {rounded(z.n), rounded(z.d)}; }
 
 /// sinh²(l/2) of a motion of determinant 1, if that is positive.
 [[nodiscard]] inline Interval squared_half_length(const Motion& g) { return norm(g.b) - square(g.a.im); }
@@ -74,15 +86,44 @@ template <class R>
 /// Points of vertices, found again by where they are.
 class PointTable {
  public:
-  void insert(Index vertex, const Place& place, std::size_t number);
-  /// The number of which is_same(number) is yes; all those of points that may be equal are asked. Throws LeftOut if
-  /// these are too many, for all points together.
+  template <class Number>
+  void insert(Index vertex, const PlaceOf<Number>& place, std::size_t number);
+  /// The number of which is_same(number) is yes; all those of points that may be equal are asked. Throws TooLarge if
+  /// one is unknown, and LeftOut if these are too many, for all points together.
   [[nodiscard]] std::optional<std::size_t> find(Index vertex, const Place& place,
                                                 const std::function<Answer(std::size_t)>& is_same) const;
+  /// As find, but an answer that is unknown is no error: then the answer is unknown, also if the place is not known
+  /// well enough.
+  struct Found {
+    Answer answer;
+    std::size_t number;  ///< If the answer is yes.
+  };
+  [[nodiscard]] Found find_roughly(Index vertex, const RoughPlace& place,
+                                   const std::function<Answer(std::size_t)>& is_same) const;
 
  private:
-  std::map<std::tuple<Index, long, long>, std::vector<std::size_t>> numbers_;  ///< In squares of width 2⁻³⁰.
-  mutable std::size_t different_ = 0;                                          ///< That were compared.
+  /// Of a square of width 2⁻³⁰, and a vertex.
+  struct Square {
+    Index vertex;
+    long x;
+    long y;
+    bool operator==(const Square&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Square& square) const {
+      constexpr std::size_t kFactor = 0x9E3779B97F4A7C15;
+      std::size_t result = square.vertex;
+      for (const long part : {square.x, square.y}) result = (result ^ static_cast<std::size_t>(part)) * kFactor;
+      return result ^ result >> 32U;
+    }
+  };
+  /// Calls use(number) for all points that may be at a place, as long as it says so.
+  void for_each_near(Index vertex, const std::array<double, 2>& in_squares,
+                     const std::function<bool(std::size_t)>& use) const;
+  void count_different() const;
+
+  std::unordered_map<Square, std::vector<std::size_t>, Hash> numbers_;
+  mutable std::size_t different_ = 0;  ///< That were compared.
 };
 
 /// The elements of the group at all vertices of a net that can be closed geodesics of length at most L. The rules of
@@ -97,6 +138,8 @@ class Loops {
     Place place;               ///< Where g takes the vertex.
     std::vector<Index> darts;  ///< A path along which it is a product.
     std::size_t inverse = 0;
+    Isometry<RoughInterval> rough_g;
+    RoughPlace rough_place;
   };
   /// From a vertex along a dart: the lift of its end, and what takes coordinates of the end's chart to those of the
   /// start's.
@@ -104,6 +147,8 @@ class Loops {
     Index end;
     Motion motion;
     Place place;
+    Isometry<RoughInterval> rough_motion;
+    RoughPlace rough_place;
   };
 
   /// Finds them: those of length at most L, sinh²(L/2) = bound, that move their vertex by at most D,
@@ -113,9 +158,10 @@ class Loops {
   struct Lift {
     Index vertex;
     Motion frame;  ///< To the chart of the first vertex.
-    Place place;
     std::size_t parent;
     Index dart;  ///< From the parent.
+    Isometry<RoughInterval> rough_frame;
+    RoughPlace rough_place;
   };
 
   [[nodiscard]] const std::vector<Loop>& all() const { return loops_; }
@@ -137,6 +183,7 @@ class Loops {
   [[nodiscard]] const std::vector<Index>& leaving(Index v) const { return leaving_[v]; }
   [[nodiscard]] const Step& step(Index dart) const { return steps_[dart]; }
   [[nodiscard]] Place self(Index v) const { return {origin_[v], {1, 0}}; }
+  [[nodiscard]] Place place(const Lift& lift) const { return image(lift.frame, self(lift.vertex)); }
   /// sinh² of half the distance of a lift of vertex w from vertex v itself, in the chart of v.
   [[nodiscard]] Interval half_distance(Index v, const Place& place, Index w) const {
     return moved(v, place) / (gap_[v] * gap_[w]);
@@ -154,9 +201,18 @@ class Loops {
  private:
   void prepare();
   void find_at(Index first);
+  /// Whether a lift of vertex w is farther from vertex v than the number says or one of those known, by a few digits.
+  [[nodiscard]] Answer is_left_out(Index v, const RoughPlace& place, Index w, const RoughInterval& farthest,
+                                   const std::vector<Lift>& lifts, const PointTable& known) const;
   void join_all();
   /// |n − zd|² for the point z of v.
   [[nodiscard]] Interval moved(Index v, const Place& place) const { return norm(place.n - origin_[v] * place.d); }
+  /// As `along`, by a few digits; unknown if they do not tell.
+  [[nodiscard]] PointTable::Found along_roughly(std::size_t i, Index dart) const;
+  /// The same for two lifts of a vertex.
+  [[nodiscard]] Answer are_same(const RoughPlace& x, const RoughPlace& y, Index v) const {
+    return is_less(norm(x.n * y.d - y.n * x.d), rough_apart_[v]);
+  }
   /// Whether this lift of vertex w is farther than D from vertex v itself.
   [[nodiscard]] Answer is_farther(Index v, const Place& place, Index w) const {
     return is_less(reach_ * gap_[w] * gap_[v], moved(v, place));
@@ -170,12 +226,16 @@ class Loops {
   Interval bound_;
   Interval thick_;  ///< cosh²ε
   Interval reach_;  ///< sinh²(D/2)
+  RoughInterval rough_reach_;
   long lifts_left_;
   std::vector<std::vector<Index>> leaving_;  ///< Darts, by vertex.
   std::vector<Step> steps_;                  ///< By dart.
   std::vector<Complex<Interval>> origin_;    ///< By vertex: where it is in its chart, and 1 − |z|².
   std::vector<Interval> gap_;
   std::vector<Interval> apart_;  ///< By vertex: sinh² of half the shortest edge, times the square of the gap.
+  std::vector<Complex<RoughInterval>> rough_origin_;
+  std::vector<RoughInterval> rough_gap_;
+  std::vector<RoughInterval> rough_apart_;
   std::vector<Loop> loops_;
   PointTable table_;
   mutable std::vector<std::size_t> parent_;  ///< Of a class.

@@ -68,6 +68,11 @@ class RoughInterval {
   double upper_ = 0;
 };
 
+[[nodiscard]] inline Answer is_less(const RoughInterval& x, const RoughInterval& y) {
+  if (x.upper() < y.lower()) return Answer::yes;
+  return x.lower() >= y.upper() ? Answer::no : Answer::unknown;
+}
+
 /// Whether numerator/denominator < sinh²x, as of exact numbers; the bounds of sinh² are given.
 [[nodiscard]] inline Answer is_less(const RoughInterval& numerator, const RoughInterval& denominator,
                                     const RoughInterval& bounds) {

@@ -29,7 +29,7 @@ Verdict verdict_of(exact::Verdict verdict) {
 }  // namespace
 
 SecondOpinion ask_second_checker(std::string_view bytes, bool exact) {
-  const exact::Result result = exact::check(bytes, exact ? exact::kMostLifts : exact::kUsualLifts);
+  const exact::Result result = exact::check(bytes, exact ? exact::kMostLimits : exact::kUsualLimits);
   return {verdict_of(result.verdict), printable(result.rule), printable(result.message)};
 }
 

@@ -8,7 +8,7 @@
 /// checkers disagree, or when it is at fault. No file is known for which the true ones do or it is.
 namespace epsnet::exact {
 
-Result check(std::string_view /*text*/, long /*most_lifts*/) {
+Result check(std::string_view /*text*/, const Limits& /*limits*/) {
   const std::string_view wanted = std::getenv("EPSNET_SECOND_VERDICT");
   if (wanted == "VERIFIED") return {Verdict::verified, "", ""};
   if (wanted == "REFUTED") return {Verdict::refuted, "delaunay", "no edge is\nDelaunay"};

@@ -200,7 +200,7 @@ TEST(Isometries, OfAChiralMapAndOfCoversAreProved) {
   expect_group(chiral, group);
   expect_proof(chiral, group);
   const Surface base = named_surface("bolza");
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+  for (const std::uint64_t seed : {1U, 4U, 5U}) {
     const Surface surface = cover(base, random_sheets(base, 5, seed));
     expect_proof(surface, isometries(surface));
   }

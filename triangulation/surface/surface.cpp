@@ -1,14 +1,80 @@
 #include "triangulation/surface/surface.h"
 
+#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <cassert>
 #include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "triangulation/surface/glued_polygons.h"
 
 namespace epsnet {
+
+namespace {
+
+/// Directions to the sides of regular tiles, computed once to each precision, which takes far longer than a product.
+class RegularDirections {
+ public:
+  explicit RegularDirections(RegularTile tile) : tile_(tile) {}
+
+  /// Those of a tile, for as long as no other tile is asked for.
+  static std::shared_ptr<RegularDirections> of(RegularTile tile) {
+    static std::mutex mutex;
+    static std::shared_ptr<RegularDirections> last;
+    const std::scoped_lock lock(mutex);
+    if (!last || last->tile_ != tile) last = std::make_shared<RegularDirections>(tile);
+    return last;
+  }
+
+  template <class T>
+  struct Values {
+    std::array<T, 2> sizes;  ///< cosh ρ and sinh ρ of the apothem ρ.
+    Complex<T> first;
+    Complex<T> second;
+  };
+  /// The apothem, and e^{iπm/2p} for two integers m. Threads may call it at the same time.
+  template <class T>
+  [[nodiscard]] Values<T> get(const std::array<std::int64_t, 2>& quarters) {
+    const std::scoped_lock lock(mutex_);
+    Known<T>& known = std::get<Known<T>>(known_);
+    if (!known.sizes) {
+      const T& pi = boost::math::constants::pi<T>();
+      const T cosine = cos(T(pi / tile_.q)) / sin(T(pi / tile_.p));
+      known.sizes = {cosine, sqrt(T(cosine * cosine - 1))};
+    }
+    return {*known.sizes, direction(known, quarters[0]), direction(known, quarters[1])};
+  }
+
+ private:
+  template <class T>
+  struct Known {
+    std::optional<std::array<T, 2>> sizes;
+    std::map<std::int64_t, Complex<T>> directions;
+  };
+
+  template <class T>
+  [[nodiscard]] const Complex<T>& direction(Known<T>& known, std::int64_t quarters) const {
+    const auto [place, is_new] = known.directions.try_emplace(quarters);
+    if (!is_new) return place->second;
+    const std::int64_t p = tile_.p;
+    // Exact where it can be.
+    if (quarters % (2 * p) == 0) return place->second = {quarters % (4 * p) == 0 ? T(1) : T(-1), T(0)};
+    const T angle = boost::math::constants::pi<T>() * quarters / (2 * p);
+    return place->second = {cos(angle), sin(angle)};
+  }
+
+  RegularTile tile_;
+  std::mutex mutex_;
+  std::tuple<Known<Mp256>, Known<Mp1024>, Known<Mp4096>> known_;
+};
+
+}  // namespace
 
 Surface::Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing)
     : Surface(checked(std::move(tiles), std::move(gluing))) {}
@@ -138,23 +204,13 @@ Isometry<T> Surface::crossing_as(SideId s) const {
   if (field_tiles()) return convert<T>(data_->field_crossing[s]);
   // From side k to side l of regular tiles: the translation by twice the apothem ρ against the direction of the
   // midpoint of k, cosh ρ = cos(π/q)/sin(π/p); then the turn that takes this direction to that of l.
-  const std::uint32_t p = regular_tile()->p;
-  const std::uint32_t q = regular_tile()->q;
-  const T& pi = boost::math::constants::pi<T>();
-  const T cosine = cos(T(pi / q)) / sin(T(pi / p));
-  const T sine = sqrt(T(cosine * cosine - 1));
-  const std::uint32_t k = place_in_tile(s);
-  const std::uint32_t other = place_in_tile(partner(s));
-  const std::uint32_t l = other + (other < k ? p : 0);
-  const auto along = [&](const T& size, std::int64_t quarters) {
-    // Exact where it can be.
-    if (quarters % (2 * std::int64_t{p}) == 0)
-      return Complex<T>{quarters % (4 * std::int64_t{p}) == 0 ? size : T(-size), T(0)};
-    const T direction = pi * quarters / (2 * p);
-    return Complex<T>{size * cos(direction), size * sin(direction)};
-  };
-  return {along(cosine, 2 * std::int64_t{l} - 2 * std::int64_t{k} - p),
-          along(sine, 2 * std::int64_t{l} + 2 * std::int64_t{k} + p)};
+  const std::int64_t p = regular_tile()->p;
+  const std::int64_t k = place_in_tile(s);
+  const std::int64_t other = place_in_tile(partner(s));
+  const std::int64_t l = other + (other < k ? p : 0);
+  const auto [sizes, outward, around] =
+      RegularDirections::of(*regular_tile())->get<T>({2 * l - 2 * k - p, 2 * l + 2 * k + p});
+  return {sizes[0] * outward, sizes[1] * around};
 }
 
 template Isometry<Mp256> Surface::crossing_as<Mp256>(SideId) const;
