@@ -126,9 +126,12 @@ typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, cons
     const Corners& y = corners(place.triangle);
     std::uint32_t leave = 3;
     for (std::uint32_t i = 0; i < 3 && leave == 3; ++i) {
-      // A foot on an edge or a vertex counts as inside every triangle there.
-      const T level = zero_level<T>() * y[i].t * y[next(i)].t * foot.t;
-      if (i != entered && lorentz_product(lorentz_cross(y[i], y[next(i)]), foot) < -level) leave = i;
+      // A foot on an edge or a vertex counts as inside every triangle there. Where `passage` sees the axis beside an
+      // edge, however short that is, the foot is not on the edge: it is tested a million times as finely.
+      const Vector edge = lorentz_cross(y[i], y[next(i)]);
+      const T level =
+          boost::multiprecision::ldexp(zero_level<T>(), -20) * boost::multiprecision::sqrt(size2(edge)) * foot.t;
+      if (i != entered && lorentz_product(edge, foot) < -level) leave = i;
     }
     if (leave == 3) return place;
     const Dart d = make_dart(place.triangle, leave);
@@ -155,13 +158,14 @@ template <class T>
 typename AxisCatalogue<T>::Passage AxisCatalogue<T>::passage(const Place& place) {
   Passage result;
   const Vector axis = axis_normal(place.element);
-  const T size = boost::multiprecision::sqrt(size2(axis));
+  const T size = boost::multiprecision::sqrt(lorentz_product(axis, axis));
   std::array<T, 3> side;
   std::array<bool, 3> left;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Vector& x = corners(place.triangle)[i];
     side[i] = lorentz_product(axis, x);
-    const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size * x.t;
+    // By the sinh of the distance, so that all triangles at a vertex see it on the same side.
+    const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size;
     if (on_axis) side[i] = 0;
     if (on_axis) result.vertex = i;
     left[i] = side[i] >= 0;
