@@ -134,8 +134,8 @@ struct NamedAnswer {
   IsometricAnswer answer;  ///< From the given surface to the named one.
 };
 
-/// Compares a surface with the named ones of its genus (names_of_genus), up to the first to which it is isometric, which
-/// is then the last of the list. Throws as `isometric`, whose time it takes for each of them.
+/// Compares a surface with the named ones of its genus (names_of_genus), up to the first to which it is isometric,
+/// which is then the last of the list. Throws as `isometric`, whose time it takes for each of them.
 [[nodiscard]] std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions& options = {});
 
 }  // namespace epsnet
