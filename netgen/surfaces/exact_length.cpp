@@ -7,8 +7,8 @@
 #include "certify/base/text.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/number_field.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 namespace {
