@@ -228,7 +228,7 @@ void identify_surface(const IsometriesRequest& request) {
     report.json["name"] = name;
     report.json["words"] = words;
     report.json["isometry"] = isometry_json(*answer.isometry);
-    out << "name: " << name << '\n' << "about: " << named_surface(name).about() << '\n';
+    out << "name: " << name << "\nabout: " << named_surface(name).about().substr(name.size() + 2) << "\n";
     out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
     write_images(out, words, *answer.isometry);
     out << "decided by this program, with exact numbers\n";
