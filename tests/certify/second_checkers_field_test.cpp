@@ -479,7 +479,7 @@ TEST(SecondCheckersFieldSurface, CrossingsTakeSidesToTheirPartners) {
   }
 }
 
-/// An isometry that takes the start of a side to the end of its partner, but not the end to the start.
+/// Isometries that take one end of a side to where it belongs, but not the other one.
 TEST(SecondCheckersFieldSurface, CrossingsTakeBothEndsOfSides) {
   Net net = bolza();
   net.gluing = {{0, 0, 0, 3}, {0, 1, 0, 4}, {0, 2, 0, 5}, {0, 6, 0, 7}};
@@ -489,6 +489,9 @@ TEST(SecondCheckersFieldSurface, CrossingsTakeBothEndsOfSides) {
   net.gluing = {{0, 0, 0, 1}, {0, 2, 0, 3}, {0, 4, 0, 5}, {0, 6, 0, 7}};
   net.field->crossings.assign(4, {Polynomial{1}, Polynomial{1}, Polynomial{0}, Polynomial{0}});
   EXPECT_EQ(outcome(net), "the crossing of side 0 of tile 0 does not take it to side 1 of tile 0");
+  // And vertex 1, the end of side 0, to vertex 3, the start of side 3.
+  net.gluing = {{0, 0, 0, 3}, {0, 1, 0, 2}, {0, 4, 0, 5}, {0, 6, 0, 7}};
+  EXPECT_EQ(outcome(net), "the crossing of side 0 of tile 0 does not take it to side 3 of tile 0");
 }
 
 TEST(SecondCheckersFieldSurface, EverySideIsGluedOnce) {
