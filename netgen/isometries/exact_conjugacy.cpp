@@ -57,6 +57,8 @@ class RegularElements {
 
   explicit RegularElements(RegularTile tile) : group_(tile) {}
 
+  [[nodiscard]] const certify::RegularRing& ring() const { return group_.ring(); }
+
   [[nodiscard]] std::optional<Normal> normal_of(const Surface& surface, const Word& word) const {
     const std::size_t order = group_.ring().order();
     // A step of a walk adds some four bits to each coefficient.
@@ -91,16 +93,66 @@ class FieldElements {
          tiles->document.root == others->document.root;
 }
 
-/// Elements of groups of surfaces of any kinds, in one number field that has the numbers of both.
+/// Elements of the group of a surface as texts that NumberFieldReader reads.
+class ElementTexts {
+ public:
+  explicit ElementTexts(const Surface& surface) : surface_(surface) {
+    if (surface.is_regular()) {
+      regular_.emplace(*surface.regular_tile());
+      ring_ = generator_texts(regular_->ring());
+    } else if (surface.field_tiles()) {
+      root_ = root_text(*surface.field_tiles());
+    }
+  }
+
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+
+  /// Of the field of all elements.
+  [[nodiscard]] std::vector<std::string> generators() const {
+    if (regular_) return {ring_.cosine, ring_.s};
+    if (!root_.empty()) return {root_};
+    return {};
+  }
+
+  /// The scale and the three coordinates of the normal of an element, up to a common factor. Nothing, if its numbers
+  /// are too large.
+  [[nodiscard]] std::optional<std::vector<std::string>> normal_of(const Word& word) const {
+    if (regular_) {
+      return texts(regular_->normal_of(surface_, word), [&](const auto& x) { return number_texts(x, ring_); });
+    }
+    if (!root_.empty()) {
+      return texts(FieldElements::normal_of(surface_, word), [&](const auto& x) { return number_texts(x, root_); });
+    }
+    return texts(RationalElements::normal_of(surface_, word), [](const std::vector<mpz_class>& x) {
+      std::vector<std::string> result;
+      for (const mpz_class& number : x) result.push_back(number.get_str());
+      return result;
+    });
+  }
+
+ private:
+  template <class Real, class Texts>
+  static std::optional<std::vector<std::string>> texts(const std::optional<ScaledNormal<Real>>& x, const Texts& texts) {
+    if (!x) return std::nullopt;
+    return texts(std::vector<Real>{x->scale, x->normal.x, x->normal.y, x->normal.t});
+  }
+
+  const Surface& surface_;
+  std::optional<RegularElements> regular_;
+  RingGenerators ring_;
+  std::string root_;
+};
+
+/// Elements of groups of two surfaces of any kinds, in one number field that has the numbers of both.
 class CommonElements {
  public:
   using Normal = ScaledNormal<certify::FieldNumber>;
 
   /// Throws SurfaceError, if the field is too large.
-  CommonElements(const Surface& first, const Surface& second) {
+  CommonElements(const Surface& first, const Surface& second) : first_(first), second_(second) {
     // The square roots last: the polynomials of the others then have the fewest coefficients.
-    const std::vector<std::string> some = generators(first);
-    const std::vector<std::string> others = generators(second);
+    const std::vector<std::string> some = first_.generators();
+    const std::vector<std::string> others = second_.generators();
     for (std::size_t i = 0; i < std::max(some.size(), others.size()); ++i) {
       if (i < some.size()) reader_.add(some[i]);
       if (i < others.size()) reader_.add(others[i]);
@@ -109,45 +161,14 @@ class CommonElements {
     field_.emplace(document.polynomial, document.root);
   }
 
+  /// Requires: one of the two surfaces.
   [[nodiscard]] std::optional<Normal> normal_of(const Surface& surface, const Word& word) const {
-    std::optional<std::vector<std::string>> texts;
-    if (surface.is_regular()) {
-      const TriangleGroup group(*surface.regular_tile());
-      const RingGenerators names = generator_texts(group.ring());
-      texts = texts_of(RegularElements(*surface.regular_tile()), surface, word,
-                       [&](const std::vector<certify::RegularNumber>& x) { return number_texts(x, names); });
-    } else if (surface.field_tiles()) {
-      const std::string name = root_text(*surface.field_tiles());
-      texts = texts_of(FieldElements(), surface, word,
-                       [&](const std::vector<certify::FieldNumber>& x) { return number_texts(x, name); });
-    } else {
-      texts = texts_of(RationalElements(), surface, word, [](const std::vector<mpz_class>& x) {
-        std::vector<std::string> result;
-        for (const mpz_class& number : x) result.push_back(number.get_str());
-        return result;
-      });
-    }
+    const auto texts = (&surface == &first_.surface() ? first_ : second_).normal_of(word);
     if (!texts) return std::nullopt;
     return read(*texts);
   }
 
  private:
-  static std::vector<std::string> generators(const Surface& surface) {
-    if (surface.field_tiles()) return {root_text(*surface.field_tiles())};
-    if (!surface.is_regular()) return {};
-    const TriangleGroup group(*surface.regular_tile());
-    const RingGenerators names = generator_texts(group.ring());
-    return {names.cosine, names.s};
-  }
-
-  template <class Elements, class Texts>
-  static std::optional<std::vector<std::string>> texts_of(const Elements& elements, const Surface& surface,
-                                                          const Word& word, const Texts& texts) {
-    const auto normal = elements.normal_of(surface, word);
-    if (!normal) return std::nullopt;
-    return texts({normal->scale, normal->normal.x, normal->normal.y, normal->normal.t});
-  }
-
   /// The four numbers, with a common denominator that is left out.
   [[nodiscard]] Normal read(const std::vector<std::string>& texts) const {
     NumberFieldReader reader = reader_;
@@ -169,6 +190,8 @@ class CommonElements {
     return {number(0), {number(1), number(2), number(3)}};
   }
 
+  ElementTexts first_;
+  ElementTexts second_;
   NumberFieldReader reader_;
   std::optional<certify::NumberField> field_;
 };

@@ -2,10 +2,22 @@
 
 #include <optional>
 
+#include "kernel/numbers.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 
 /// Surfaces of pairs of pants of which the marks are exact (docs/fenchel-nielsen.md, "Exact lengths and twists").
 namespace epsnet {
+
+// Rational numbers with few digits.
+
+/// The number with the smallest denominator in [low, high], 0 < low ≤ high.
+[[nodiscard]] Rational simplest_between(Rational low, Rational high);
+
+/// The simplest rational number within a factor 1 ± 2^−bits of x > 0.
+[[nodiscard]] Rational simplest_near(const Mp1024& x, int bits);
+
+/// The square root of a number that is not negative, if it is rational.
+[[nodiscard]] std::optional<Rational> rational_root(const Rational& x);
 
 /// What such a surface is made of, as texts of NumberFieldReader: c = cosh(length/2) and u =
 /// tanh(twist/2)/sinh(length/2) by edge, and √Δ by pair of pants, Δ = c₁² + c₂² + c₃² + 2c₁c₂c₃ − 1.

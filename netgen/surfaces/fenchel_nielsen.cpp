@@ -10,7 +10,6 @@
 
 #include "netgen/base/disjoint_sets.h"
 #include "netgen/surfaces/exact_pants.h"
-#include "netgen/surfaces/simplest_rational.h"
 #include "triangulation/surface/exact_points.h"
 
 namespace epsnet {
