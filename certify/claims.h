@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "certify/claims/bound/fields.h"
+#include "certify/claims/comparison/fields.h"
 #include "certify/claims/distance/fields.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/geodesics/fields.h"

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "certify/claims/bound/document.h"
+#include "certify/claims/comparison/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
@@ -17,7 +18,7 @@ namespace epsnet::certify {
 
 /// The contents of a file that can be checked. What is needed for each kind of claim follows from this list.
 using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument,
-                                   IsometriesDocument, PantsDocument>;
+                                   IsometriesDocument, PantsDocument, ComparisonDocument>;
 
 /// Pointers to the documents of that list.
 template <class Documents = ClaimDocument>

@@ -70,6 +70,8 @@ class Algebraic {
   /// The sign, exactly.
   friend int sgn(const Algebraic& x);
   friend Interval enclosure(const Algebraic& x);
+  /// Of copies of the number; the field must live as long.
+  friend RealNumber real_number(const Algebraic& x);
 
   friend void take_common(const Algebraic& x, mpz_class& common);
   friend void divide(Algebraic& x, const mpz_class& divisor);

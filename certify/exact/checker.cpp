@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "certify/exact/claim_rules.h"
+#include "certify/exact/comparison_rules.h"
 #include "certify/exact/document.h"
 #include "certify/exact/json.h"
 #include "certify/exact/net_rules.h"
@@ -31,17 +32,36 @@ Result ask(const std::vector<Rule>& rules) {
   return result;
 }
 
+/// What `use` returns for the rules of a net.
+template <class Use>
+Result with_rules(const Net& net, const Use& use) {
+  if (net.regular) return use(*std::make_unique<NetRules<Algebraic>>(net));
+  if (net.field) return use(*std::make_unique<NetRules<FieldNumber>>(net));
+  return use(*std::make_unique<NetRules<mpz_class>>(net));
+}
+
 /// The rules of the net, then those that own_rules says.
 template <class OwnRules>
 Result ask_all(const Net& net, const OwnRules& own_rules) {
-  const auto ask_all_of = [&](auto net_rules) {
-    std::vector<Rule> rules = net_rules->rules();
-    for (Rule& rule : own_rules(*net_rules)) rules.push_back(std::move(rule));
-    return ask(rules);
-  };
-  if (net.regular) return ask_all_of(std::make_unique<NetRules<Algebraic>>(net));
-  if (net.field) return ask_all_of(std::make_unique<NetRules<FieldNumber>>(net));
-  return ask_all_of(std::make_unique<NetRules<mpz_class>>(net));
+  return with_rules(net, [&](auto& net_rules) { return ask(joined(net_rules, own_rules(net_rules))); });
+}
+
+/// Throws if the rules of a document within another one are not verified.
+void expect_verified(const Result& result) {
+  const std::string why = result.rule + ": " + result.message;
+  if (result.verdict == Verdict::refuted) throw Refutation{why};
+  if (result.verdict != Verdict::verified) throw TooLarge{why};
+}
+
+Result check_comparison(const ComparisonDocument& document, long most_lifts) {
+  const AskRules ask_other = [](const std::vector<Rule>& rules) { expect_verified(ask(rules)); };
+  return with_rules(document.first.net, [&](auto& net) {
+    return with_rules(document.other.net, [&](auto& other) {
+      const bool different = document.claim == ComparisonDocument::Claim::different;
+      return ask(joined(net, different ? different_rules(document, net, other, ask_other, most_lifts)
+                                       : isometric_rules(document, net, other, ask_other)));
+    });
+  });
 }
 
 }  // namespace
@@ -73,6 +93,7 @@ Result check(std::string_view text, const Limits& limits) {
       return ask_all(document.spectrum.net,
                      [&](auto& net) { return isometry_rules(document, net, limits.lifts_under_isometries); });
     }
+    if (is_text(format, "epsnet-comparison")) return check_comparison(read_comparison(root), limits.lifts);
     if (is_text(format, "epsnet-pants")) {
       const PantsDocument document = read_pants(root);
       return ask_all(document.net, [&](auto& net) { return pants_rules(document, net); });

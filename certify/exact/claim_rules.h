@@ -37,6 +37,14 @@ template <class R>
 template <class R>
 [[nodiscard]] std::vector<Rule> pants_rules(const PantsDocument& document, NetRules<R>& net);
 
+/// The rules of a net, then some of its own.
+template <class R>
+std::vector<Rule> joined(NetRules<R>& net, std::vector<Rule> own_rules) {
+  std::vector<Rule> rules = net.rules();
+  for (Rule& rule : own_rules) rules.push_back(std::move(rule));
+  return rules;
+}
+
 /// Rules that keep their owner alive.
 template <class Owner>
 std::vector<Rule> kept(const std::shared_ptr<Owner>& owner, std::vector<Rule> rules) {

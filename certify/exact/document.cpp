@@ -252,8 +252,8 @@ Net read_net(const Json& root) {
 namespace {
 
 /// The net of a claim: without collars.
-Net read_whole_net(const Json& root, Words& words) {
-  const Json& net = member(root, "net");
+Net read_whole_net(const Json& root, Words& words, const char* name = "net") {
+  const Json& net = member(root, name);
   if (net.kind == Json::Kind::object && find(net, "collars") != nullptr) throw Malformed("a pseudo net");
   return read_net(net, words);
 }
@@ -464,6 +464,44 @@ IsometriesDocument read_isometries(const Json& root) {
     document.isometries.push_back({read_bool(member(row, "preserves_orientation")), read_words(row, "images", words)});
   }
   return document;
+}
+
+ComparisonDocument read_comparison(const Json& root) {
+  using enum ComparisonDocument::Claim;
+  expect_version(root);
+  Words words;
+  const Json& claim = member(root, "claim");
+  const auto net_alone = [&](const char* name) {
+    return GeodesicsDocument{.claim = GeodesicsDocument::Claim::spectrum,
+                             .net = read_whole_net(root, words, name),
+                             .up_to = {},
+                             .geodesics = {},
+                             .clusters = {},
+                             .pieces = {}};
+  };
+  if (is_text(claim, "isometric")) {
+    expect_members(
+        root, {"format", "version", "claim", "net", "other_net", "preserves_orientation", "paths", "pair", "images"});
+    return {.claim = isometric,
+            .first = net_alone("net"),
+            .other = net_alone("other_net"),
+            .preserves_orientation = read_bool(member(root, "preserves_orientation")),
+            .paths = read_words(root, "paths", words),
+            .pair = read_words(root, "pair", words),
+            .images = read_words(root, "images", words)};
+  }
+  expect_text(claim, "different", "the claim");
+  expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters", "other_spectrum"});
+  const Json& other = member(root, "other_spectrum");
+  if (other.kind != Json::Kind::object) throw Malformed("expected an object");
+  expect_text(member(other, "format"), "epsnet-geodesics", "the format of the other spectrum");
+  expect_text(member(other, "claim"), "spectrum", "the claim of the other spectrum");
+  return {.claim = different,
+          .first = read_list(root, GeodesicsDocument::Claim::spectrum, words),
+          .other = read_geodesics(other),
+          .paths = {},
+          .pair = {},
+          .images = {}};
 }
 
 PantsDocument read_pants(const Json& root) {

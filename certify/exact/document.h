@@ -226,6 +226,21 @@ struct IsometriesDocument {
   std::vector<Index> cocycle;
 };
 
+/// Two surfaces.
+struct ComparisonDocument {
+  using Word = std::vector<Index>;
+  enum class Claim { isometric, different };
+
+  Claim claim;
+  GeodesicsDocument first;  ///< If they are isometric, only the nets of both.
+  GeodesicsDocument other;
+  // Only if they are isometric.
+  bool preserves_orientation = true;
+  std::vector<Word> paths;
+  std::vector<Word> pair;
+  std::vector<Word> images;
+};
+
 /// A pants decomposition.
 struct PantsDocument {
   using Word = std::vector<Index>;
@@ -250,6 +265,7 @@ struct PantsDocument {
 [[nodiscard]] GeodesicsDocument read_geodesics(const Json& root);
 [[nodiscard]] EigenvaluesDocument read_eigenvalues(const Json& root);
 [[nodiscard]] IsometriesDocument read_isometries(const Json& root);
+[[nodiscard]] ComparisonDocument read_comparison(const Json& root);
 [[nodiscard]] PantsDocument read_pants(const Json& root);
 
 }  // namespace epsnet::exact

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <gmpxx.h>
 #include <vector>
 
@@ -28,5 +29,24 @@ struct Approximation {
   mpz_class value;
   mpz_class error;
 };
+
+/// A real algebraic integer, to be compared with others of another field (docs/proof.md, Lemma 45).
+struct RealNumber {
+  std::size_t degree = 1;  ///< Of a field that contains it, at most.
+  std::size_t bits = 1;    ///< Its conjugates are at most 2^bits.
+  /// 2^k times the number.
+  std::function<Approximation(mp_bitcnt_t k)> approximation;
+};
+
+inline RealNumber real_number(const mpz_class& n) {
+  return {1, mpz_sizeinbase(n.get_mpz_t(), 2), [n](mp_bitcnt_t k) { return Approximation{n << k, 0}; }};
+}
+
+/// k such that 2^k is not less than the sum of the absolute values.
+inline std::size_t sum_bits(const Integers& x) {
+  mpz_class sum;
+  for (const mpz_class& n : x) sum += abs(n);
+  return mpz_sizeinbase(sum.get_mpz_t(), 2);
+}
 
 }  // namespace epsnet::exact

@@ -39,6 +39,9 @@ class NetRules : public NetStructure {
   /// The rules of the net. This must live as long as they do.
   [[nodiscard]] std::vector<Rule> rules();
 
+  /// The Euler characteristic of the surface. After rule `surface`.
+  [[nodiscard]] std::int64_t euler() const { return euler_; }
+
   // Exact numbers, as long as they are not too large. After rule `surface`.
 
   /// Takes so many bits from those that are left. Throws TooLarge.

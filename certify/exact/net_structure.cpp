@@ -59,6 +59,48 @@ void NetStructure::expect_path(const std::vector<Index>& word, Index from, Index
   if (tile != to) throw Malformed("a word ends in a wrong tile");
 }
 
+void NetStructure::expect_paths(const std::vector<std::vector<Index>>& paths) const {
+  if (paths.size() != net_.tile_count()) throw Malformed("paths: not one for each tile");
+  for (Index t = 0; t < paths.size(); ++t) expect_path(paths[t], 0, t);
+}
+
+void NetStructure::expect_loops(const std::vector<std::vector<Index>>& words, std::size_t size,
+                                const char* what) const {
+  if (words.size() != size) throw Malformed(std::string(what) + ": another number of words");
+  for (const auto& word : words) expect_path(word, 0, 0);
+}
+
+std::vector<std::vector<Index>> NetStructure::paths() const {
+  std::vector<std::vector<Index>> result(net_.tile_count());
+  std::vector<bool> reached(result.size());
+  std::vector<Index> tiles{0};
+  reached[0] = true;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const Index tile = tiles[i];
+    for (Index k = 0; k < net_.sides_of(tile); ++k) {
+      const Index beyond = tile_of(partner(side(tile, k)));
+      if (reached[beyond]) continue;
+      reached[beyond] = true;
+      result[beyond] = result[tile];
+      result[beyond].push_back(side(tile, k));
+      tiles.push_back(beyond);
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<Index>> NetStructure::generators(const std::vector<std::vector<Index>>& paths) const {
+  std::vector<std::vector<Index>> result;
+  for (Index s = 0; s < sides(); ++s) {
+    if (partner(s) < s) continue;
+    std::vector<Index>& word = result.emplace_back(paths[tile_of(s)]);
+    word.push_back(s);
+    const std::vector<Index>& back = paths[tile_of(partner(s))];
+    std::for_each(back.rbegin(), back.rend(), [&](Index t) { word.push_back(partner(t)); });
+  }
+  return result;
+}
+
 void NetStructure::number_sides() {
   for (Index t = 0; t < net_.tile_count(); ++t) {
     const std::size_t size = net_.sides_of(t);

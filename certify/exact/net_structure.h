@@ -27,6 +27,14 @@ class NetStructure {
 
   /// Throws Malformed unless the word is a path from the tile `from` to the tile `to`.
   void expect_path(const std::vector<Index>& word, Index from, Index to) const;
+  /// The same of one path from tile 0 to each tile.
+  void expect_paths(const std::vector<std::vector<Index>>& paths) const;
+  /// The same of `size` paths from tile 0 to itself; `what` they are.
+  void expect_loops(const std::vector<std::vector<Index>>& words, std::size_t size, const char* what) const;
+  /// A path from tile 0 to each tile.
+  [[nodiscard]] std::vector<std::vector<Index>> paths() const;
+  /// The generators g_s = paths[t] · s · paths[t′]⁻¹ of the group, by side s less than its partner.
+  [[nodiscard]] std::vector<std::vector<Index>> generators(const std::vector<std::vector<Index>>& paths) const;
 
   [[nodiscard]] const Net& net() const { return net_; }
   [[nodiscard]] std::size_t darts() const { return 3 * net_.triangles.size(); }

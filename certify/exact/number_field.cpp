@@ -133,6 +133,13 @@ void NumberField::spend(std::size_t work) const {
   work_left_ -= work;
 }
 
+/// A root z of x^d + Σ f_(d−i) x^(d−i) is at most 2 max |f_(d−i)|^(1/i): else Σ |f_(d−i) z^(d−i)| < |z|^d Σ 2^−i.
+std::size_t NumberField::bits_of_roots() const {
+  std::size_t most = 0;
+  for (std::size_t i = 1; i <= degree(); ++i) most = std::max(most, (bits(f_[degree() - i]) + i - 1) / i);
+  return most + 1;
+}
+
 Polynomial NumberField::reduced(Polynomial x) const {
   divide_by_monic(x, factor_);
   return x;
@@ -288,6 +295,12 @@ Interval enclosure(const FieldNumber& x) {
       return {found.value - found.error, found.value + found.error, static_cast<mpfr_exp_t>(bits)};
     }
   }
+}
+
+RealNumber real_number(const FieldNumber& x) {
+  if (x.is_integer()) return real_number(x.x_.empty() ? mpz_class(0) : x.x_[0]);
+  return {x.field_->degree(), sum_bits(x.x_) + (x.x_.size() - 1) * x.field_->bits_of_roots(),
+          [x](mp_bitcnt_t k) { return x.field_->approximation(x.x_, k); }};
 }
 
 void take_common(const FieldNumber& x, mpz_class& common) {

@@ -29,6 +29,9 @@ class NumberField {
 
   [[nodiscard]] std::size_t degree() const { return f_.size() - 1; }
 
+  /// k such that all complex roots of f are at most 2^k.
+  [[nodiscard]] std::size_t bits_of_roots() const;
+
   /// A polynomial of less than this degree with the same value at α.
   [[nodiscard]] Polynomial reduced(Polynomial x) const;
   [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y) const;
@@ -65,7 +68,9 @@ class NumberField {
   mutable unsigned long step_ = 1;  ///< By so many bits exponent_ will grow, if the secant is near enough to f.
   mutable Polynomial factor_;       ///< The least known one of f of which α is a root.
   mutable std::map<mp_bitcnt_t, std::vector<Approximation>> powers_;
-};  /// x(α). An integer belongs to every field; other numbers of one formula to the same one, which must live as long.
+};
+
+/// x(α). An integer belongs to every field; other numbers of one formula to the same one, which must live as long.
 /// Products, signs and enclosures throw TooLarge if too little work is left.
 class FieldNumber {
  public:
@@ -76,9 +81,13 @@ class FieldNumber {
   friend FieldNumber operator+(const FieldNumber& x, const FieldNumber& y);
   friend FieldNumber operator-(const FieldNumber& x, const FieldNumber& y);
   friend FieldNumber operator-(const FieldNumber& x);
-  friend FieldNumber operator*(const FieldNumber& x, const FieldNumber& y);  /// The sign, exactly.
+  friend FieldNumber operator*(const FieldNumber& x, const FieldNumber& y);
+
+  /// The sign, exactly.
   friend int sgn(const FieldNumber& x);
   friend Interval enclosure(const FieldNumber& x);
+  /// Of copies of the number; the field must live as long.
+  friend RealNumber real_number(const FieldNumber& x);
 
   friend void take_common(const FieldNumber& x, mpz_class& common);
   friend void divide(FieldNumber& x, const mpz_class& divisor);

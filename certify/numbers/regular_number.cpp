@@ -51,20 +51,13 @@ ComplexBall value_at(const Polynomial& x, const ComplexBall& zeta) {
   return result;
 }
 
-/// Whether a real number is positive, if balls tell that.
-Tri positive(const RegularNumber& x) {
-  const ComplexBall zeta = root_of_unity(1, x.ring->order());
-  const Ball s = sqrt(real(value_at(x.ring->square_of_s(), zeta)));
-  return certainly_positive(real(value_at(x.u, zeta)) + real(value_at(x.v, zeta)) * s);
-}
-
 /// The sign of a number that is not 0: some precision tells it.
 int sign_of_nonzero(const RegularNumber& x) {
   const slong first = 64 + static_cast<slong>(std::max(bits_of_coefficients(x.u), bits_of_coefficients(x.v)));
   Tri answer = Tri::unknown;
   const auto attempt = [&](slong precision) {
     x.ring->budget().spend(4 * ball_work(static_cast<std::uint64_t>(precision)), x.ring->order());
-    answer = positive(x);
+    answer = certainly_positive(real_ball(x));
     return answer != Tri::unknown;
   };
   with_rising_precision(std::numeric_limits<slong>::max() / 2, attempt, first);
@@ -109,6 +102,17 @@ Polynomial RegularRing::polynomial(std::span<const PowerOfZeta> terms) const {
     fmpz_poly_set_coeff_si(result.get(), place, exponent == place ? before + coefficient : before - coefficient);
   }
   return result;
+}
+
+RegularRing::Roots RegularRing::roots() const {
+  const std::lock_guard lock(mutex_);
+  const auto [found, is_new] = roots_.try_emplace(Precision::bits());
+  Roots& roots = found->second;
+  if (is_new) {
+    roots.zeta = root_of_unity(1, order_);
+    roots.s = sqrt(real(value_at(square_of_s_, roots.zeta)));
+  }
+  return roots;
 }
 
 bool RegularRing::is_zero(const Polynomial& x) const {
@@ -176,6 +180,11 @@ RegularNumber norm(const RegularNumber& x) { return x * conjugate(x); }
 RegularNumber twice_real(const RegularNumber& x) { return x + conjugate(x); }
 
 RegularNumber twice_imaginary(const RegularNumber& x) { return Gaussian{0, 1} * (conjugate(x) - x); }
+
+Ball real_ball(const RegularNumber& x) {
+  const auto [zeta, s] = x.ring->roots();
+  return real(value_at(x.u, zeta)) + real(value_at(x.v, zeta)) * s;
+}
 
 int sign(const RegularNumber& x) {
   const RegularRing& ring = *x.ring;

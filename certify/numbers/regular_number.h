@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -36,6 +38,15 @@ class RegularRing {
   [[nodiscard]] Polynomial polynomial(std::span<const PowerOfZeta> terms) const;
   /// Whether the polynomial, of degree less than order/2, is 0 at ζ.
   [[nodiscard]] bool is_zero(const Polynomial& x) const;
+  /// Of ℚ(ζ).
+  [[nodiscard]] std::uint64_t degree() const { return static_cast<std::uint64_t>(fmpz_poly_degree(cyclotomic_.get())); }
+
+  struct Roots {
+    ComplexBall zeta;
+    Ball s;
+  };
+  /// ζ and s, to as many bits as balls have. For any number of threads.
+  [[nodiscard]] Roots roots() const;
 
  private:
   std::uint32_t order_;
@@ -43,6 +54,8 @@ class RegularRing {
   Polynomial cyclotomic_;
   Polynomial square_of_s_;
   bool has_new_root_;
+  mutable std::mutex mutex_;
+  mutable std::map<slong, Roots> roots_;  ///< By bits.
 };
 
 /// The number u(ζ) + v(ζ)s. The degrees are less than order/2, as ζ^{order/2} = −1; different polynomials may be equal
@@ -75,6 +88,8 @@ struct RegularNumber {
 /// No divisor is looked for.
 inline void reduce(Isometry<RegularNumber>& /*f*/) {}
 
+/// A real number, to about as many bits as balls have, relative to its coefficients.
+[[nodiscard]] Ball real_ball(const RegularNumber& x);
 /// The sign of u + vs, u and v real numbers, exactly: of what is not 0 by balls of more and more bits, which must end.
 [[nodiscard]] int sign(const RegularNumber& x);
 

@@ -12,10 +12,11 @@ namespace {
 
 using certify::IsometriesDocument;
 
-/// Translates words into images, by the images of the side pairings of the fundamental polygon.
+/// Translates words of a surface into images, by the images of the side pairings of its fundamental polygon.
 class Substitution {
  public:
-  explicit Substitution(const Surface& surface) : surface_(surface), number_(surface.side_count()) {
+  /// The images are words of `target`.
+  Substitution(const Surface& surface, const Surface& target) : target_(target), number_(surface.side_count()) {
     const PolygonSides polygon = polygon_sides(surface);
     std::int64_t count = 0;
     for (std::uint32_t k = 0; k < polygon.side.size(); ++k) {
@@ -33,13 +34,13 @@ class Substitution {
       const std::int64_t number = number_[s];
       if (number == 0) continue;
       const Word& image = images[static_cast<std::size_t>(std::abs(number)) - 1];
-      result = concatenated(surface_, std::move(result), number > 0 ? image : reversed(surface_, image));
+      result = concatenated(target_, std::move(result), number > 0 ? image : reversed(target_, image));
     }
     return result;
   }
 
  private:
-  const Surface& surface_;
+  const Surface& target_;
   ById<SideId, std::int64_t> number_;  ///< By letter: of a pairing, from 1 on; negative for its inverse; 0 for none.
 };
 
@@ -97,29 +98,56 @@ std::vector<std::uint32_t> random_cocycle(const Surface& surface) {
   return result;
 }
 
+std::vector<std::vector<std::uint32_t>> letters_of_all(const std::vector<Word>& words) {
+  std::vector<std::vector<std::uint32_t>> result;
+  for (const Word& word : words) result.push_back(letters_of(word));
+  return result;
+}
+
+/// The images of a pair of elements, and of the crossing of each side less than its partner, which is a generator: the
+/// paths between the letters cross no sides of the polygon.
+std::vector<std::vector<std::uint32_t>> images_of(const Surface& surface, const Substitution& image_of,
+                                                  const std::vector<Word>& pair, const SurfaceIsometry& f) {
+  std::vector<Word> result;
+  for (const Word& word : pair) result.push_back(image_of(word, f.images));
+  for (const SideId s : surface.side_ids()) {
+    if (s < surface.partner(s)) result.push_back(image_of({s}, f.images));
+  }
+  return letters_of_all(result);
+}
+
 /// But for the spectrum.
 IsometriesDocument document_of(const Surface& surface, const IsometryGroup& group) {
   IsometriesDocument result;
   result.order = static_cast<std::uint32_t>(group.size());
-  for (const Word& path : polygon_paths(surface)) result.paths.push_back(letters_of(path));
+  result.paths = letters_of_all(polygon_paths(surface));
   const std::vector<Word> pair = crossing_pair(surface);
-  for (const Word& word : pair) result.pair.push_back(letters_of(word));
+  result.pair = letters_of_all(pair);
   result.cocycle = random_cocycle(surface);
-  const Substitution image_of(surface);
+  const Substitution image_of(surface, surface);
   for (const std::uint32_t g : group.generators()) {
     const SurfaceIsometry f = group.isometry(g);
-    IsometriesDocument::Isometry& isometry = result.isometries.emplace_back();
-    isometry.preserves_orientation = f.preserves_orientation;
-    for (const Word& word : pair) isometry.images.push_back(letters_of(image_of(word, f.images)));
-    for (const SideId s : surface.side_ids()) {
-      // The paths cross no sides of the polygon.
-      if (s < surface.partner(s)) isometry.images.push_back(letters_of(image_of({s}, f.images)));
-    }
+    result.isometries.push_back({f.preserves_orientation, images_of(surface, image_of, pair, f)});
   }
   return result;
 }
 
 }  // namespace
+
+certify::ComparisonDocument isometry_document(const Surface& first, const Surface& second,
+                                              const SurfaceIsometry& isometry, certify::NetDocument net,
+                                              certify::NetDocument other_net) {
+  certify::ComparisonDocument result;
+  result.relation = certify::ComparisonDocument::Relation::isometric;
+  result.net = std::move(net);
+  result.other.net = std::move(other_net);
+  const std::vector<Word> pair = crossing_pair(first);
+  result.isometry = {.preserves_orientation = isometry.preserves_orientation,
+                     .paths = letters_of_all(polygon_paths(first)),
+                     .pair = letters_of_all(pair),
+                     .images = images_of(first, Substitution(first, second), pair, isometry)};
+  return result;
+}
 
 Certified<IsometriesDocument> certified_isometries(const Surface& surface, const IsometryGroup& group,
                                                    const IsometryOptions& options) {

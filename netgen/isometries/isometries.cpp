@@ -45,15 +45,6 @@ Length list_length(const Surface& surface, const IsometryOptions& options) {
   return Length(std::max(4.0, systole_length * (1 + 1e-9)));
 }
 
-/// Whether the certifier verifies spectra.
-bool are_verified(const std::vector<certify::GeodesicsDocument>& spectra, const IsometryOptions& options) {
-  return std::all_of(spectra.begin(), spectra.end(), [&](const certify::GeodesicsDocument& spectrum) {
-    certify::CheckOptions check = own_check(spectrum, options.threads, options.progress);
-    check.max_precision = 1024;
-    return certify::check(spectrum, check).verdict == certify::Verdict::verified;
-  });
-}
-
 /// Looks for an isometry from one surface to another, and returns whether there is one, perhaps one that cannot be
 /// decided. Requires: their spectra, which do not certainly differ.
 bool search(const Surface& first, const Surface& second, const std::vector<certify::GeodesicsDocument>& spectra,
@@ -353,41 +344,82 @@ IsometryGroup isometries(const Surface& surface, const IsometryOptions& options)
   return builder.group(std::move(geodesics));
 }
 
+namespace {
+
+/// A document with its proof; nothing, if it is not verified.
+std::optional<Certified<certify::ComparisonDocument>> proved_if_possible(certify::ComparisonDocument document,
+                                                                         const IsometryOptions& options) {
+  try {
+    return proved(std::move(document), options.threads, options.progress);
+  } catch (const NotCertifiedError&) {
+    return std::nullopt;
+  }
+}
+
+/// Proves the isometry that was found, which may decide whether it is one.
+void prove_isometry(const Surface& first, const Surface& second, std::vector<certify::GeodesicsDocument> spectra,
+                    const IsometryOptions& options, IsometricAnswer& answer) {
+  answer.proof = proved_if_possible(
+      isometry_document(first, second, *answer.isometry, std::move(spectra[0].net), std::move(spectra[1].net)),
+      options);
+  if (!answer.proof) return;
+  answer.kind = IsometricAnswer::Kind::yes;
+  answer.reason.clear();
+}
+
+/// Proves that the surfaces are different, by these lists, for the reason given or for one that certify finds. Returns
+/// whether it does.
+bool prove_difference(const std::vector<certify::GeodesicsDocument>& spectra, const std::optional<std::string>& reason,
+                      const IsometryOptions& options, IsometricAnswer& answer) {
+  certify::ComparisonDocument document;
+  document.relation = certify::ComparisonDocument::Relation::different;
+  static_cast<certify::GeodesicsDocument&>(document) = spectra[0];
+  document.other = spectra[1];
+  answer.proof = proved_if_possible(std::move(document), options);
+  if (!answer.proof) return false;
+  answer.kind = IsometricAnswer::Kind::no;
+  answer.reason = reason.value_or(answer.proof->certificate.rules.back().text);
+  return true;
+}
+
+}  // namespace
+
 IsometricAnswer isometric(const Surface& first, const Surface& second, const IsometryOptions& options) {
   constexpr int kMostTries = 5;
   constexpr double kStep = 0.5;
   IsometricAnswer answer;
-  if (first.genus() != second.genus()) {
-    answer.kind = IsometricAnswer::Kind::no;
-    answer.reason = "the genera are " + std::to_string(first.genus()) + " and " + std::to_string(second.genus());
-    return answer;
-  }
-  Length length = list_length(first, options);
+  // Lists that are empty prove that genera differ.
+  constexpr double kNoLength = 1e-9;
+  const bool genera_differ = first.genus() != second.genus();
+  Length length = genera_differ ? Length(kNoLength) : list_length(first, options);
   for (int tries = 1;; ++tries) {
     std::vector<certify::GeodesicsDocument> spectra;
     for (const Surface* surface : {&first, &second}) {
       spectra.push_back(unproved::spectrum(*surface, length, geodesics_options(options)));
     }
-    if (const auto difference = certain_difference(spectra[0], spectra[1])) {
-      answer.reason = *difference;
-      answer.kind = are_verified(spectra, options) ? IsometricAnswer::Kind::no : IsometricAnswer::Kind::undecided;
-      if (answer.kind == IsometricAnswer::Kind::no) {
-        answer.spectra = std::move(spectra);
-      } else {
-        answer.reason += "; but certify does not verify these lists";
-      }
-      return answer;
+    std::optional<std::string> difference;
+    if (genera_differ) {
+      difference = "the genera are " + std::to_string(first.genus()) + " and " + std::to_string(second.genus());
+    } else {
+      difference = certain_difference(spectra[0], spectra[1]);
     }
     // The search for an isometry needs the first lists alone; its answer does not depend on them.
-    if (tries == 1 && search(first, second, spectra, options, answer)) return answer;
+    if (!difference && tries == 1 && search(first, second, spectra, options, answer)) {
+      prove_isometry(first, second, std::move(spectra), options, answer);
+      return answer;
+    }
+    if (prove_difference(spectra, difference, options, answer)) return answer;
+    if (difference) {
+      answer.reason = *difference + "; but certify does not verify this";
+      return answer;
+    }
     if (tries == kMostTries) break;
     length = Length(static_cast<double>(length.value()) + kStep);
   }
   answer.reason =
       "with 256 bits no two elements of the second group have the traces of two elements of the first one, and of "
-      "their "
-      "product, and extend to the group; but there are as many closed geodesics of the same lengths up to " +
-      length.text();
+      "their product, and extend to the group; but there are as many closed geodesics of the same lengths up to " +
+      length.text() + ", which perhaps cross in the same way";
   return answer;
 }
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "certify/claims/comparison/document.h"
 #include "certify/claims/isometries/document.h"
+#include "certify/net/document.h"
 #include "netgen/base/options.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/surfaces.h"
@@ -17,8 +19,8 @@
 /// The isometries of a surface, and from one surface to another. docs/isometries.md says how and why.
 ///
 /// That they are isometries is decided exactly. That there is no other one is computed with numbers of 256 bits;
-/// `certified_isometries` proves it. That there is none at all between two surfaces is proved by their closed
-/// geodesics.
+/// `certified_isometries` proves it. `isometric` proves that two surfaces are isometric, or that they are not, by their
+/// closed geodesics.
 namespace epsnet {
 
 /// An isometry between two surfaces S and T, as what it does with the group of S: f lifts to an isometry of the plane,
@@ -110,17 +112,24 @@ struct IsometryOptions {
 struct IsometricAnswer {
   /// What is known.
   enum class Kind {
-    yes,       ///< Decided exactly.
-    no,        ///< Proved: by the genus, or by `spectra`.
+    yes,       ///< Decided exactly: here, or by `proof`.
+    no,        ///< Proved, by `proof`.
     undecided  ///< No isometry is found with 256 bits and no proof that there is none; or `isometry` is one to 100
                ///< bits, but the numbers of the surfaces cannot be compared exactly.
   };
   Kind kind = Kind::undecided;
   std::optional<SurfaceIsometry> isometry;
   std::string reason;  ///< Of a `no`: what tells the surfaces apart, in words; of `undecided`, why.
-  /// Of a `no`, if the genera are equal: the spectra of both surfaces, VERIFIED, which certainly differ.
-  std::vector<certify::GeodesicsDocument> spectra;
+  /// The answer as a file, VERIFIED. Absent if it is undecided, or if an isometry is decided here alone, as its numbers
+  /// are too large for the checker.
+  std::optional<Certified<certify::ComparisonDocument>> proof;
 };
+
+/// Returns what a comparison file says of an isometry from one surface to another, given a net of each; not proved.
+/// Throws LimitError if no elements are found of which the axes cross.
+[[nodiscard]] certify::ComparisonDocument isometry_document(const Surface& first, const Surface& second,
+                                                            const SurfaceIsometry& isometry, certify::NetDocument net,
+                                                            certify::NetDocument other_net);
 
 /// Returns an isometry from one surface to another, if there is one: one that preserves the orientation, if there is
 /// one of those. Otherwise it looks for numbers of closed geodesics that differ, up to lengths that are 2 longer than

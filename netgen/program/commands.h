@@ -11,6 +11,7 @@
 
 #include "certify/check.h"
 #include "certify/claims/bound/document.h"
+#include "certify/claims/comparison/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
@@ -113,6 +114,7 @@ void add_distance(CLI::App& command, std::string& file);
 [[nodiscard]] Report eigenvalues_report(const certify::EigenvaluesDocument& document);
 /// Returns the contents of an isometries file, as lines and as an object.
 [[nodiscard]] Report isometries_report(const certify::IsometriesDocument& document);
+[[nodiscard]] Report comparison_report(const certify::ComparisonDocument& document);
 /// Returns the contents of a pants file, as lines and as an object.
 [[nodiscard]] Report pants_report(const certify::PantsDocument& document);
 /// Returns the contents of a distance file, as lines and as an object.

@@ -284,6 +284,7 @@ struct ClaimContents {
   Report operator()(const certify::EigenvaluesDocument& document) const { return eigenvalues_report(document); }
   Report operator()(const certify::IsometriesDocument& document) const { return isometries_report(document); }
   Report operator()(const certify::PantsDocument& document) const { return pants_report(document); }
+  Report operator()(const certify::ComparisonDocument& document) const { return comparison_report(document); }
   Report operator()(const certify::NetDocument& net) const { return facts_report(net_info(net)); }
   template <class Document>
   Report operator()(const Document& document) const {

@@ -30,8 +30,6 @@ struct IsometriesRequest {
   std::string surface;
   std::string other;
   std::string output;
-  std::string first_spectrum;
-  std::string second_spectrum;
   bool json = false;
   unsigned threads = 0;
 };
@@ -150,9 +148,7 @@ const char* answer_text(IsometricAnswer::Kind kind) {
 }
 
 void compare_surfaces(const IsometriesRequest& request) {
-  check_files({{"SURFACE", request.surface}, {"OTHER", request.other}},
-              {{"--first-spectrum", request.first_spectrum, FileType::json},
-               {"--second-spectrum", request.second_spectrum, FileType::json}});
+  check_files({{"SURFACE", request.surface}, {"OTHER", request.other}}, {{"--output", request.output, FileType::json}});
   const Surface surface = read_surface_input(request.surface);
   const Surface other = read_surface_input(request.other);
   const IsometricAnswer answer = [&] {
@@ -172,19 +168,18 @@ void compare_surfaces(const IsometriesRequest& request) {
     out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
     write_images(out, words, *answer.isometry);
   }
-  if (answer.kind == IsometricAnswer::Kind::yes) out << "decided by this program, with exact numbers\n";
-  if (answer.kind == IsometricAnswer::Kind::no) {
-    out << (answer.spectra.empty() ? "decided by this program\n"
-                                   : "decided by this program, from two lists that are VERIFIED\n");
+  if (answer.proof) {
+    report.json["verdict"] = certify::name(answer.proof->certificate.verdict);
+    out << "verdict: " << certify::verdict_line(answer.proof->certificate) << '\n';
+  } else if (answer.kind == IsometricAnswer::Kind::yes) {
+    out << "decided by this program alone, with exact numbers that are too large for certify\n";
+    if (!request.output.empty()) throw UndecidedError("no file: the exact numbers are too large for certify");
   }
   report.text = out.str();
-  std::vector<NewFile> files;
-  for (std::size_t i = 0; i < answer.spectra.size(); ++i) {
-    files.push_back({i == 0 ? request.first_spectrum : request.second_spectrum,
-                     [&spectrum = answer.spectra[i]](std::ostream& file) { certify::write_file(spectrum, file); }});
+  if (answer.proof) {
+    write_outputs({{request.output, [&](std::ostream& file) { certify::write_file(answer.proof->document, file); }}});
   }
-  write_outputs(std::move(files));
-  write_report(report, request.json, is_stdout(request.first_spectrum) || is_stdout(request.second_spectrum));
+  write_report(report, request.json, is_stdout(request.output));
   if (answer.kind == IsometricAnswer::Kind::undecided) throw UndecidedError("undecided: " + answer.reason);
 }
 
@@ -204,6 +199,27 @@ Report isometries_report(const certify::IsometriesDocument& document) {
                                    {"generators", std::move(generators)},
                                    {"closed_geodesics", document.geodesics.size()},
                                    {"up_to", document.up_to}})};
+}
+
+Report comparison_report(const certify::ComparisonDocument& document) {
+  const bool isometric = document.relation == certify::ComparisonDocument::Relation::isometric;
+  Report report{std::string("isometric: ") + (isometric ? "yes" : "no") + '\n',
+                Json::object({{"isometric", isometric}})};
+  if (isometric) {
+    const bool preserves = document.isometry.preserves_orientation;
+    report.text += std::string("isometry: ") + orientation_text(preserves) + '\n';
+    report.json["preserves_orientation"] = preserves;
+    return report;
+  }
+  const std::pair<const char*, const certify::GeodesicsDocument&> lists[] = {{"surface", document},
+                                                                             {"other", document.other}};
+  for (const auto& [name, list] : lists) {
+    report.text += std::string("closed geodesics of the ") +
+                   (std::string_view(name) == "other" ? "other one" : "first surface") + ": " +
+                   std::to_string(list.geodesics.size()) + ", of length at most " + list.up_to + '\n';
+    report.json[name] = Json::object({{"closed_geodesics", list.geodesics.size()}, {"up_to", list.up_to}});
+  }
+  return report;
 }
 
 namespace {
@@ -231,7 +247,7 @@ void identify_surface(const IsometriesRequest& request) {
     out << "name: " << name << "\nabout: " << named_surface(name).about().substr(name.size() + 2) << "\n";
     out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
     write_images(out, words, *answer.isometry);
-    out << "decided by this program, with exact numbers\n";
+    if (answer.proof) out << "verdict: " << certify::verdict_line(answer.proof->certificate) << '\n';
   }
   if (report.json["name"].is_null()) {
     out << "name: none that is known\n";
@@ -284,25 +300,22 @@ void add_isometries_command(CLI::App& app, Job& chosen) {
 void add_isometric_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<IsometriesRequest>();
   CLI::App* command = app.add_subcommand(
-      "isometric", "Whether two surfaces are isometric: an isometry between them, or what tells them apart.");
+      "isometric", "Whether two surfaces are isometric, proved: an isometry between them, or what tells them apart.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   add_input(*command, "OTHER", shared->other, kSurfaceHelp);
   add_file(
-      *command, "--first-spectrum", shared->first_spectrum,
-      "if the surfaces differ and their genera do not: the closed geodesics of SURFACE that prove it, for certify");
-  add_file(*command, "--second-spectrum", shared->second_spectrum, "the same for OTHER");
+      *command, "-o,--output", shared->output,
+      "the comparison file to write, for certify: the isometry, or the closed geodesics that tell the surfaces apart; "
+      "\"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "An isometry is decided by exact numbers. That there is none follows from the genera, or from the numbers of "
-      "closed geodesics up to some length, in lists that are verified. The program decides alone; certify checks the "
-      "lists.\n"
-      "Exit code 2: undecided, as neither is found, or the exact numbers of the two surfaces are in no number field of "
-      "degree 64 or less.\n\n"
+      "That two surfaces are isometric is proved by exact numbers, also if they are given in different ways: tiles of "
+      "other types, or numbers of other fields. That they are not is proved by their genera, or by the numbers of "
+      "closed geodesics up to some length.\n"
+      "Exit code 2: undecided, as neither is found, or the exact numbers are too large.\n\n"
       "Example:\n"
-      "  epsnet isometric s.json t.json\n"
-      "  epsnet isometric s.json t.json --first-spectrum s-spectrum.json --second-spectrum t-spectrum.json\n"
-      "  certify s-spectrum.json t-spectrum.json");
+      "  epsnet isometric s.json t.json -o comparison.json && certify comparison.json");
   command->callback([&chosen, shared] { chosen = [shared] { compare_surfaces(*shared); }; });
 }
 

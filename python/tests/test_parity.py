@@ -27,8 +27,6 @@ NOT_IN_PYTHON = {
     ("systole", "--epsilon"): "any gives the same geodesic",
     ("spectrum", "--epsilon"): "any gives the same list",
     ("thick-thin", "--epsilon"): "any gives the same list",
-    ("isometric", "--first-spectrum"): "surface.spectrum(up_to)",
-    ("isometric", "--second-spectrum"): "other.spectrum(up_to)",
     ("export", "--model"): "Surface.matrices(model)",
     ("convert", "--surface"): "Surface.load(path).save",
     ("draw", "--eigenfunction"): "Eigenvalues.eigenfunction(index).svg",

@@ -139,6 +139,22 @@ Json pants() {
   return result;
 }
 
+Json comparison(const char* claim) {
+  Json result = Json::parse(R"({"preserves_orientation": true, "paths": [[]], "pair": [[1], [0, 7, 3]],
+      "images": [[0, 3], [2], [], [1], [0, 5, 3], [1, 1]]})");
+  result["net"] = regular_net();
+  result["other_net"] = net();
+  result["other_net"].erase("collars");
+  if (std::string_view(claim) == "different") {
+    result = geodesics("spectrum");
+    result["other_spectrum"] = geodesics("spectrum");
+  }
+  result["format"] = "epsnet-comparison";
+  result["version"] = 1;
+  result["claim"] = claim;
+  return result;
+}
+
 std::vector<Json> files() {
   return {surface_file(tiles()),
           surface_file(regular()),
@@ -156,7 +172,9 @@ std::vector<Json> files() {
           cover("embedded-disk"),
           eigenvalues(),
           isometries(),
-          pants()};
+          pants(),
+          comparison("isometric"),
+          comparison("different")};
 }
 
 /// What the reader understands, as JSON; null if it accepts nothing.

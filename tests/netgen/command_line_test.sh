@@ -99,15 +99,18 @@ bad 64 'excludes' pants from-pants.json --curves curves.txt --find
 good surface regular --genus 2 -o bolza.json
 good isometric s.json bolza.json
 says '^isometric: no$'
-says '^decided by this program, from two lists that are VERIFIED$'
-good isometric s.json bolza.json --first-spectrum first.json --second-spectrum second.json
-verified first.json
-verified second.json
+says '^verdict: VERIFIED$'
+good isometric s.json bolza.json -o different.json
+verified different.json
+good info different.json
+says '^isometric: no$'
 # The Bolza surface again, by octagons of which three meet at each vertex: GL(2,3).
 printf '%s' '{"rotation":[1,3,5,6,8,9,11,13,14,16,18,19,21,22,24,2,20,27,28,30,32,33,35,4,31,38,39,40,41,0,29,26,43,10,7,42,45,46,47,23,25,44,37,15,12,17,34,36],"edges":[2,4,0,7,1,10,12,3,15,17,5,20,6,23,25,8,26,9,29,31,11,34,36,13,37,14,16,33,35,18,42,19,44,27,21,28,22,24,43,45,46,47,30,38,32,39,40,41]}' >octagons.json
 good surface map octagons.json -o octagons-map.json
-good isometric bolza.json octagons-map.json
+good isometric bolza.json octagons-map.json -o same.json
 says '^isometric: yes$'
+says '^verdict: VERIFIED$'
+verified same.json
 good identify octagons-map.json
 says '^name: bolza$'
 good identify s.json

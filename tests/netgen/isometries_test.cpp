@@ -261,13 +261,17 @@ TEST(Isometric, AreNotSurfacesThatDifferALittle) {
   EXPECT_EQ(isometric(random_octagon(1), random_octagon(2)).kind, Kind::no);
 }
 
-TEST(Isometric, AProofOfDifferenceIsTwoVerifiedSpectra) {
-  const IsometricAnswer answer = isometric(pants("2", "0.125"), pants("2.000000001", "0.125"));
-  ASSERT_EQ(answer.spectra.size(), 2U);
-  for (const certify::GeodesicsDocument& spectrum : answer.spectra) {
-    EXPECT_EQ(certify::check(spectrum).verdict, certify::Verdict::verified);
-  }
-  EXPECT_EQ(certain_difference(answer.spectra[0], answer.spectra[1]), answer.reason);
+TEST(Isometric, TheAnswerIsAFileThatIsVerified) {
+  using Relation = certify::ComparisonDocument::Relation;
+  const IsometricAnswer no = isometric(pants("2", "0.125"), pants("2.000000001", "0.125"));
+  ASSERT_TRUE(no.proof);
+  EXPECT_EQ(no.proof->document.relation, Relation::different);
+  EXPECT_EQ(certify::check(no.proof->document).verdict, certify::Verdict::verified);
+  EXPECT_EQ(certain_difference(no.proof->document, no.proof->document.other), no.reason);
+  const IsometricAnswer yes = isometric(pants("2", "0.125"), pants("2", "2.125"));
+  ASSERT_TRUE(yes.proof);
+  EXPECT_EQ(yes.proof->document.relation, Relation::isometric);
+  EXPECT_EQ(certify::check(yes.proof->document).verdict, certify::Verdict::verified);
 }
 
 TEST(Isometric, IsUndecidedWhereLengthsAgreeToAllDigits) {

@@ -10,26 +10,12 @@
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/structure.h"
 #include "certify/numbers/ball.h"
-#include "certify/numbers/parallel.h"
 #include "certify/verdict/verification.h"
 
 namespace epsnet::certify {
 namespace {
 
 using Document = IsometriesDocument;
-
-/// What is wrong with some words from tile 0 to itself, of which there should be so many.
-Problem loops_problem(const SurfaceSides& sides, const std::vector<Document::Word>& words, std::size_t count) {
-  if (words.size() != count) {
-    return std::to_string(words.size()) + " words, expected " + std::to_string(count);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (const auto problem = word_problem(sides, words[i], 0, 0, "its start")) {
-      return "word " + std::to_string(i) + ": " + *problem;
-    }
-  }
-  return std::nullopt;
-}
 
 Problem cocycle_problem(const SurfaceSides& sides, const Document& document) {
   if (document.cocycle.size() != sides.partner.size() / 2) {
@@ -59,13 +45,7 @@ Problem structure_problem(const Document& document) {
   if (auto problem = structure_problem(static_cast<const GeodesicsDocument&>(document))) return problem;
   const SurfaceSides sides(document.net.surface);
   if (document.order == 0) return "order: 0, expected at least 1";
-  if (document.paths.size() != sides.first.size()) {
-    return "paths: " + std::to_string(document.paths.size()) + " words, expected one for each tile, " +
-           std::to_string(sides.first.size());
-  }
-  for (std::uint32_t t = 0; t < document.paths.size(); ++t) {
-    if (const auto problem = word_problem(sides, document.paths[t], 0, t, "this row")) return at("paths", t) + *problem;
-  }
+  if (auto problem = paths_problem(sides, document.paths)) return problem;
   if (const auto problem = loops_problem(sides, document.pair, 2)) return "pair: " + *problem;
   const std::size_t images = 2 + sides.partner.size() / 2;
   const auto problem = first_row_problem("isometries", document.isometries, [&](const Document::Isometry& isometry) {
@@ -106,9 +86,7 @@ class IsometriesCheck {
         parts_(parts),
         budget_(run.budget()),
         sides_(document.net.surface),
-        net_(with_geodesics_as_labels(document)),
-        evaluator_(net_, parts),
-        first_darts_(first_darts(net_)),
+        geodesics_(document, parts),
         rules_(rules_beyond_the_spectrum()) {}
 
   void ask(Verification& run) {
@@ -141,7 +119,8 @@ class IsometriesCheck {
   void check_isometries() {
     const auto sign = crossing_sign(parts_.crossings, document_.pair[0], document_.pair[1], budget_);
     if (sign == 0) return report(kIsometries, Verdict::refuted, "the axes of the pair do not cross");
-    const std::vector<Word> generators = words();
+    std::vector<Word> generators = document_.pair;
+    for (Word& word : generator_words(sides_, document_.paths)) generators.push_back(std::move(word));
     for (std::size_t i = 0; sign && i < document_.isometries.size(); ++i) {
       const auto& [preserves_orientation, images] = document_.isometries[i];
       std::vector<ElementPair> pairs;
@@ -163,19 +142,6 @@ class IsometriesCheck {
            counted(document_.isometries.size(), "isometry", "isometries") + ", exactly");
   }
 
-  /// The two elements of the pair, and the generators.
-  [[nodiscard]] std::vector<Word> words() const {
-    std::vector<Word> result = document_.pair;
-    for (std::uint32_t s = 0; s < sides_.partner.size(); ++s) {
-      if (s > sides_.partner[s]) continue;
-      Word& word = result.emplace_back(document_.paths[sides_.tile[s]]);
-      word.push_back(s);
-      const Word& back = document_.paths[sides_.tile[sides_.partner[s]]];
-      std::transform(back.rbegin(), back.rend(), std::back_inserter(word), [&](auto t) { return sides_.partner[t]; });
-    }
-    return result;
-  }
-
   // Rule least.
 
   void check_least() {
@@ -195,8 +161,8 @@ class IsometriesCheck {
 
   void check_most(slong precision) {
     const std::string bits = std::to_string(precision) + " bits";
-    const LiftedPlane plane(net_, evaluator_, parts_, precision, options_.max_precision, threads_);
-    const auto geodesics = crossing_geodesics(plane);
+    const LiftedPlane plane = geodesics_.plane(precision, options_.max_precision, threads_);
+    const auto geodesics = geodesics_.crossings(plane, threads_);
     if (!geodesics) return rules_.doubt(kMost, "not decided where the geodesics cross, with " + bits);
     const std::uint64_t most = least_frames(plane, *geodesics);
     if (most == 0) {
@@ -208,29 +174,6 @@ class IsometriesCheck {
     } else {
       rules_.doubt(kMost, "there are at most " + std::to_string(most) + ", with " + bits);
     }
-  }
-
-  [[nodiscard]] std::optional<CrossingGeodesics> crossing_geodesics(const LiftedPlane& plane) const {
-    const MovedNet net(plane);
-    if (!net.valid()) return std::nullopt;
-    const std::size_t count = document_.geodesics.size();
-    CrossingGeodesics result;
-    result.lengths.resize(count);
-    std::vector<AxisCrossings> periods(count);
-    for_each_parallel(count, threads_, [&](unsigned, std::size_t i) {
-      BallIsometry element = inverse(plane.label(static_cast<std::uint32_t>(document_.net.labels.size() + 1 + i)));
-      choose_sign(element);
-      result.lengths[i] = twice(acosh(cosh_half_length(element)));
-      auto crossings = axis_crossings(net, first_darts_[document_.geodesics[i].vertex], element);
-      if (crossings) periods[i] = *std::move(crossings);
-    });
-    if (std::any_of(periods.begin(), periods.end(), [](const auto& period) { return period.darts.empty(); })) {
-      return std::nullopt;
-    }
-    auto points = crossing_points(net, periods);
-    if (!points) return std::nullopt;
-    result.points = *std::move(points);
-    return result;
   }
 
   /// The least of the bounds that crossing points of the geodesics give, as far as they are needed; 0 if there is none.
@@ -266,9 +209,7 @@ class IsometriesCheck {
   const LabelParts& parts_;
   const Budget& budget_;
   SurfaceSides sides_;
-  NetDocument net_;
-  LabelEvaluator evaluator_;
-  std::vector<std::uint32_t> first_darts_;
+  GeodesicsInNet geodesics_;
   OpenRules rules_;
   std::string so_far_;  ///< What is known if the work is used up now.
 };

@@ -1,12 +1,53 @@
 #include "certify/claims/isometries/conjugation.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <type_traits>
 #include <utility>
 
+#include "certify/base/text.h"
+#include "certify/numbers/two_rings.h"
+
 namespace epsnet::certify {
+
+Problem paths_problem(const SurfaceSides& sides, const std::vector<SideWord>& paths) {
+  if (paths.size() != sides.first.size()) {
+    return "paths: " + std::to_string(paths.size()) + " words, expected one for each tile, " +
+           std::to_string(sides.first.size());
+  }
+  for (std::uint32_t t = 0; t < paths.size(); ++t) {
+    if (const auto problem = word_problem(sides, paths[t], 0, t, "this row")) return at("paths", t) + *problem;
+  }
+  return std::nullopt;
+}
+
+Problem loops_problem(const SurfaceSides& sides, const std::vector<SideWord>& words, std::size_t count) {
+  if (words.size() != count) {
+    return std::to_string(words.size()) + " words, expected " + std::to_string(count);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const auto problem = word_problem(sides, words[i], 0, 0, "its start")) {
+      return "word " + std::to_string(i) + ": " + *problem;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<SideWord> generator_words(const SurfaceSides& sides, const std::vector<SideWord>& paths) {
+  std::vector<SideWord> result;
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (s > sides.partner[s]) continue;
+    SideWord& word = result.emplace_back(paths[sides.tile[s]]);
+    word.push_back(s);
+    const SideWord& back = paths[sides.tile[sides.partner[s]]];
+    std::transform(back.rbegin(), back.rend(), std::back_inserter(word), [&](auto t) { return sides.partner[t]; });
+  }
+  return result;
+}
+
 namespace {
 
 using Letters = std::span<const std::uint32_t>;
@@ -71,57 +112,97 @@ ScaledTrace<RealOf<Element>> trace_of_product(const Element& f, const RealOf<Ele
   return {twice_real(f.a * g.a + f.b * conjugate(g.b)), RealOf<Element>(f_determinant * g_determinant)};
 }
 
-/// Of two elements, scaled to determinant 1.
-template <class Real>
-Ratio trace_ratio(const ScaledTrace<Real>& f, const ScaledTrace<Real>& g) {
-  const Real difference(f.trace * f.trace * g.determinant - g.trace * g.trace * f.determinant);
-  if (sign(difference) != 0) return Ratio::different;
+/// Of two elements, scaled to determinant 1: of one ring, or of two; nothing if that takes too many bits.
+template <class Real, class OtherReal>
+std::optional<Ratio> trace_ratio(const ScaledTrace<Real>& f, const ScaledTrace<OtherReal>& g, bool one_ring,
+                                 const Budget& budget) {
+  const Real square(f.trace * f.trace);
+  const OtherReal other_square(g.trace * g.trace);
+  std::optional<bool> agree;
+  if constexpr (std::is_same_v<Real, OtherReal>) {
+    if (one_ring) agree = sign(Real(square * g.determinant - other_square * f.determinant)) == 0;
+  }
+  if (!one_ring) {
+    agree = products_agree(ProductPair<Real, OtherReal>{square, g.determinant, f.determinant, other_square}, budget);
+  }
+  if (!agree) return std::nullopt;
+  if (!*agree) return Ratio::different;
   const int product = sign(f.trace) * sign(g.trace);
   return product == 0 ? Ratio::any : (product > 0 ? Ratio::same : Ratio::opposite);
+}
+
+/// A basis of the matrices with its determinants.
+template <class CrossingsOfAKind>
+struct Basis {
+  Basis(const Evaluator<CrossingsOfAKind>& evaluator, Letters x, Letters y) : elements(evaluator.basis(x, y)) {
+    std::transform(elements.begin(), elements.end(), determinants.begin(),
+                   [](const auto& f) { return determinant_of(f); });
+  }
+
+  using Element = typename Evaluator<CrossingsOfAKind>::Element;
+  std::array<Element, 4> elements;
+  std::array<RealOf<Element>, 4> determinants;
+};
+
+/// The traces of an element with a basis.
+template <class CrossingsOfAKind>
+auto traces_with(const Basis<CrossingsOfAKind>& basis, const typename Basis<CrossingsOfAKind>::Element& f) {
+  std::array<ScaledTrace<RealOf<typename Basis<CrossingsOfAKind>::Element>>, 4> result;
+  const auto determinant = determinant_of(f);
+  for (std::size_t i = 0; i < 4; ++i) {
+    result[i] = trace_of_product(basis.elements[i], basis.determinants[i], f, determinant);
+  }
+  return result;
+}
+
+/// As are_conjugate, of crossings of two kinds, which are those of one ring or not.
+template <class From, class To>
+std::optional<bool> are_conjugate_of(const From& from_crossings, const To& to_crossings, bool one_ring,
+                                     std::span<const ElementPair> pairs, const Budget& budget) {
+  const Evaluator from_evaluator(from_crossings, budget);
+  const Evaluator to_evaluator(to_crossings, budget);
+  for (const ElementPair& pair : pairs) {
+    if (!from_evaluator.feasible(pair.from) || !to_evaluator.feasible(pair.to)) return std::nullopt;
+  }
+  const Basis<From> from(from_evaluator, pairs[0].from, pairs[1].from);
+  const Basis<To> to(to_evaluator, pairs[0].to, pairs[1].to);
+  for (std::size_t i = 1; i < 4; ++i) {
+    const auto trace = [i](const auto& basis) {
+      return ScaledTrace<RealOf<std::decay_t<decltype(basis.elements[0])>>>{twice_real(basis.elements[i].a),
+                                                                            basis.determinants[i]};
+    };
+    const auto ratio = trace_ratio(trace(from), trace(to), one_ring, budget);
+    if (!ratio) return std::nullopt;
+    if (*ratio == Ratio::different || *ratio == Ratio::opposite) return false;
+  }
+  for (const ElementPair& pair : pairs.subspan(2)) {
+    const auto from_traces = traces_with(from, from_evaluator.element(pair.from));
+    const auto to_traces = traces_with(to, to_evaluator.element(pair.to));
+    Ratio sign = Ratio::any;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto ratio = trace_ratio(from_traces[i], to_traces[i], one_ring, budget);
+      if (!ratio) return std::nullopt;
+      if (*ratio == Ratio::different) return false;
+      if (*ratio == Ratio::any) continue;
+      if (sign != Ratio::any && *ratio != sign) return false;
+      sign = *ratio;
+    }
+  }
+  return true;
 }
 
 }  // namespace
 
 std::optional<bool> are_conjugate(const Crossings& crossings, std::span<const ElementPair> pairs,
                                   const Budget& budget) {
+  return std::visit([&](const auto& kind) { return are_conjugate_of(kind, kind, true, pairs, budget); }, crossings);
+}
+
+std::optional<bool> are_conjugate(const Crossings& from, const Crossings& to, std::span<const ElementPair> pairs,
+                                  const Budget& budget) {
   return std::visit(
-      [&](const auto& kind) -> std::optional<bool> {
-        const Evaluator evaluator(kind, budget);
-        for (const ElementPair& pair : pairs) {
-          if (!evaluator.feasible(pair.from) || !evaluator.feasible(pair.to)) return std::nullopt;
-        }
-        const auto from = evaluator.basis(pairs[0].from, pairs[1].from);
-        const auto to = evaluator.basis(pairs[0].to, pairs[1].to);
-        using Element = std::decay_t<decltype(from[0])>;
-        std::array<RealOf<Element>, 4> from_determinant;
-        std::array<RealOf<Element>, 4> to_determinant;
-        for (std::size_t i = 0; i < 4; ++i) {
-          from_determinant[i] = determinant_of(from[i]);
-          to_determinant[i] = determinant_of(to[i]);
-        }
-        for (std::size_t i = 1; i < 4; ++i) {
-          const Ratio ratio = trace_ratio<RealOf<Element>>({twice_real(from[i].a), from_determinant[i]},
-                                                           {twice_real(to[i].a), to_determinant[i]});
-          if (ratio == Ratio::different || ratio == Ratio::opposite) return false;
-        }
-        for (const ElementPair& pair : pairs.subspan(2)) {
-          const auto f = evaluator.element(pair.from);
-          const auto g = evaluator.element(pair.to);
-          const auto f_determinant = determinant_of(f);
-          const auto g_determinant = determinant_of(g);
-          Ratio sign = Ratio::any;
-          for (std::size_t i = 0; i < 4; ++i) {
-            const Ratio ratio = trace_ratio(trace_of_product(from[i], from_determinant[i], f, f_determinant),
-                                            trace_of_product(to[i], to_determinant[i], g, g_determinant));
-            if (ratio == Ratio::different) return false;
-            if (ratio == Ratio::any) continue;
-            if (sign != Ratio::any && ratio != sign) return false;
-            sign = ratio;
-          }
-        }
-        return true;
-      },
-      crossings);
+      [&](const auto& kind, const auto& other) { return are_conjugate_of(kind, other, false, pairs, budget); }, from,
+      to);
 }
 
 std::optional<int> crossing_sign(const Crossings& crossings, Letters word, Letters other, const Budget& budget) {

@@ -8,16 +8,29 @@
 #include "certify/claims/isometries/document.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
+#include "certify/net/structure.h"
 #include "certify/numbers/budget.h"
 
 /// Isometries of the plane that take some elements of groups to others, decided exactly (docs/proof.md, Lemmas 38 and
 /// 39).
 namespace epsnet::certify {
 
-/// Words from a tile to itself; the second one is perhaps in another group over the same ring.
+/// Numbers of sides that a path crosses.
+using SideWord = std::vector<std::uint32_t>;
+
+/// What is wrong with paths from tile 0 to each tile.
+[[nodiscard]] Problem paths_problem(const SurfaceSides& sides, const std::vector<SideWord>& paths);
+
+/// What is wrong with some words from tile 0 to itself, of which there should be so many.
+[[nodiscard]] Problem loops_problem(const SurfaceSides& sides, const std::vector<SideWord>& words, std::size_t count);
+
+/// The generators g_s = paths[t] · s · paths[t']⁻¹ of the surface's group, by side s less than its partner.
+[[nodiscard]] std::vector<SideWord> generator_words(const SurfaceSides& sides, const std::vector<SideWord>& paths);
+
+/// Words from tile 0 to itself; the second one is perhaps in another group.
 struct ElementPair {
-  std::vector<std::uint32_t> from;
-  std::vector<std::uint32_t> to;
+  SideWord from;
+  SideWord to;
 };
 
 /// Whether there is an isometry f of the plane with f ∘ x ∘ f⁻¹ = x' for the elements x of all pairs and their partners
@@ -27,6 +40,10 @@ struct ElementPair {
 /// their axes in common.
 [[nodiscard]] std::optional<bool> are_conjugate(const Crossings& crossings, std::span<const ElementPair> pairs,
                                                 const Budget& budget);
+
+/// The same where `to` are words of another surface, with numbers of another ring (docs/proof.md, Lemma 45).
+[[nodiscard]] std::optional<bool> are_conjugate(const Crossings& from, const Crossings& to,
+                                                std::span<const ElementPair> pairs, const Budget& budget);
 
 /// 1 or −1 if the axes of two elements cross, with opposite signs for the mirror images of the two; 0 if they do not
 /// cross. Each is directed like the translation. Nothing, if the numbers are too large; BudgetSpent.

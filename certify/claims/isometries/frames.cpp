@@ -6,7 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "certify/claims/geodesics/fields.h"
 #include "certify/net/numbering.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
@@ -195,12 +197,14 @@ bool may_correspond(const CrossingGeodesics& geodesics, std::size_t one, std::si
          may_be_equal(geodesics.lengths[one], geodesics.lengths[other]);
 }
 
-/// The frames to which an isometry may take the frame of a geodesic at one of its points.
-std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from) {
+/// The frames, of geodesics from `first_target` on, to which an isometry may take the frame of a geodesic at one of its
+/// points.
+std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from,
+                                   std::size_t first_target = 0) {
   const std::size_t size = geodesics.points[from.geodesic].size();
   std::vector<Frame> result;
   plane.spend(1, geodesics.points.size());
-  for (std::size_t i = 0; i < geodesics.points.size(); ++i) {
+  for (std::size_t i = first_target; i < geodesics.points.size(); ++i) {
     if (!may_correspond(geodesics, from.geodesic, i)) continue;
     for (std::size_t k = 0; k < size; ++k) {
       plane.spend(4 * kAlikeOperations);
@@ -276,6 +280,40 @@ class FollowedIsometry {
 
 }  // namespace
 
+GeodesicsInNet::GeodesicsInNet(const GeodesicsDocument& document, const LabelParts& parts)
+    : document_(document),
+      parts_(parts),
+      net_(with_geodesics_as_labels(document)),
+      evaluator_(net_, parts),
+      first_darts_(first_darts(net_)) {}
+
+LiftedPlane GeodesicsInNet::plane(slong precision, slong cap, unsigned threads) const {
+  return {net_, evaluator_, parts_, precision, cap, threads};
+}
+
+std::optional<CrossingGeodesics> GeodesicsInNet::crossings(const LiftedPlane& plane, unsigned threads) const {
+  const MovedNet net(plane);
+  if (!net.valid()) return std::nullopt;
+  const std::size_t count = document_.geodesics.size();
+  CrossingGeodesics result;
+  result.lengths.resize(count);
+  std::vector<AxisCrossings> periods(count);
+  for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
+    BallIsometry element = inverse(plane.label(static_cast<std::uint32_t>(document_.net.labels.size() + 1 + i)));
+    choose_sign(element);
+    result.lengths[i] = twice(acosh(cosh_half_length(element)));
+    auto crossings = axis_crossings(net, first_darts_[document_.geodesics[i].vertex], element);
+    if (crossings) periods[i] = *std::move(crossings);
+  });
+  if (std::any_of(periods.begin(), periods.end(), [](const auto& period) { return period.darts.empty(); })) {
+    return std::nullopt;
+  }
+  auto points = crossing_points(net, periods);
+  if (!points) return std::nullopt;
+  result.points = *std::move(points);
+  return result;
+}
+
 std::optional<std::vector<std::vector<CrossingPoint>>> crossing_points(const MovedNet& net,
                                                                        std::span<const AxisCrossings> geodesics) {
   return Finder(net, geodesics).run();
@@ -288,11 +326,13 @@ std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics&
 
 namespace {
 
-/// The frames to which an isometry may take one, followed until no more than `enough` are left.
+/// The frames, of geodesics from `first_target` on, to which an isometry may take one, followed until no more than
+/// `enough` are left.
 std::uint64_t followed_from(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from,
-                            std::uint64_t enough) {
+                            std::uint64_t enough, std::size_t first_target = 0) {
   std::vector<FollowedIsometry> left;
-  for (const Frame& to : images_of_frame(plane, geodesics, from)) left.emplace_back(plane, geodesics, from, to);
+  for (const Frame& to : images_of_frame(plane, geodesics, from, first_target))
+    left.emplace_back(plane, geodesics, from, to);
   // Step by step with all: most of those that are no isometries end early.
   for (bool goes_on = true; goes_on && left.size() > enough;) {
     goes_on = false;
@@ -342,6 +382,30 @@ std::uint64_t followed_frames(const LiftedPlane& plane, const CrossingGeodesics&
     if (least <= enough) break;
   }
   return least;
+}
+
+namespace {
+
+/// Whether, for one crossing point of the first surface, no frame of the other one is left.
+bool leaves_no_frame(const LiftedPlane& plane, const CrossingGeodesics& first, const CrossingGeodesics& other) {
+  // As one list: frames of the first surface are compared with those of the other one alone.
+  const std::size_t size = first.points.size();
+  CrossingGeodesics both = first;
+  both.lengths.insert(both.lengths.end(), other.lengths.begin(), other.lengths.end());
+  for (std::vector<CrossingPoint> points : other.points) {
+    for (CrossingPoint& x : points) x.other += static_cast<std::uint32_t>(size);
+    both.points.push_back(std::move(points));
+  }
+  const auto starts = representatives(plane, first);
+  return std::any_of(starts.begin(), starts.end(), [&](std::size_t geodesic) {
+    return followed_from(plane, both, {geodesic, 0, 1, 1}, 0, size) == 0;
+  });
+}
+
+}  // namespace
+
+bool no_isometry(const LiftedPlane& plane, const CrossingGeodesics& first, const CrossingGeodesics& other) {
+  return leaves_no_frame(plane, first, other) || leaves_no_frame(plane, other, first);
 }
 
 double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::size_t geodesic) {

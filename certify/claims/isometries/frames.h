@@ -30,6 +30,27 @@ struct CrossingGeodesics {
   std::vector<std::vector<CrossingPoint>> points;
 };
 
+/// The closed geodesics of a document in the triangulation of its net.
+class GeodesicsInNet {
+ public:
+  /// The document and the parts of its labels must live as long.
+  GeodesicsInNet(const GeodesicsDocument& document, const LabelParts& parts);
+  GeodesicsInNet(const GeodesicsInNet&) = delete;
+  GeodesicsInNet& operator=(const GeodesicsInNet&) = delete;
+
+  /// With balls of so many bits; must not live longer than this.
+  [[nodiscard]] LiftedPlane plane(slong precision, slong cap, unsigned threads) const;
+  /// Where they cross. Nullopt if the precision is too low.
+  [[nodiscard]] std::optional<CrossingGeodesics> crossings(const LiftedPlane& plane, unsigned threads) const;
+
+ private:
+  const GeodesicsDocument& document_;
+  const LabelParts& parts_;
+  NetDocument net_;
+  LabelEvaluator evaluator_;
+  std::vector<std::uint32_t> first_darts_;
+};
+
 /// A number that isometries do not exceed: how many frames there are to which one may take the frame of a geodesic at
 /// one of its points.
 [[nodiscard]] std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
@@ -40,6 +61,11 @@ struct CrossingGeodesics {
 /// compared. The greatest number if no two geodesics cross.
 [[nodiscard]] std::uint64_t followed_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
                                             std::uint64_t enough);
+
+/// Whether certainly no isometry takes one surface to another, given all closed geodesics of each up to one length:
+/// for one frame of one of them no frame of the other one is left. The plane is of either surface.
+[[nodiscard]] bool no_isometry(const LiftedPlane& plane, const CrossingGeodesics& first,
+                               const CrossingGeodesics& other);
 
 /// The work that possible_frames takes at most, for one point of the geodesic. O(geodesics).
 [[nodiscard]] double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics,

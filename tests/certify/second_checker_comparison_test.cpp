@@ -1,0 +1,294 @@
+#include <algorithm>
+#include <array>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/claims/comparison/fields.h"
+#include "certify/claims/isometries/conjugation.h"
+#include "certify/exact/checker.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "tests/certify/claim_files.h"
+
+/// Comparison files, asked of both checkers. Each rule is broken by a file in which nothing else is wrong.
+namespace epsnet::certify::comparison_test {
+namespace {
+
+using Document = ComparisonDocument;
+using Word = Document::Word;
+
+Document read(const std::string& name) {
+  return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/comparisons/" + name + ".json");
+}
+
+/// Bolza's surface as a regular octagon, and as a map of type {8, 3}: numbers of two rings of roots of unity.
+Document bolza() { return read("bolza-octagons-8-3"); }
+/// Rational tiles: an octagon and its mirror image.
+Document mirror_image() { return read("mirror-image"); }
+/// Two octagons, with their closed geodesics up to 4.
+Document octagons() { return read("octagons"); }
+/// Isospectral covers.
+Document sunada() { return read("sunada"); }
+
+/// "VERDICT", or "VERDICT: rule", of both checkers; both, if they differ.
+std::string both(const Document& document) {
+  constexpr std::array<const char*, 4> kNames{"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
+  std::ostringstream out;
+  write_file(document, out);
+  const exact::Result result = exact::check(out.str());
+  std::string second = kNames.at(static_cast<std::size_t>(result.verdict));
+  if (!result.rule.empty()) second += ": " + result.rule;
+  std::string first = outcome(document);
+  if (first == "MALFORMED: structure") first = "MALFORMED";
+  return first == second ? first : first + "; " + second;
+}
+
+/// The element, seen from elsewhere.
+Word conjugate(const Document& document, const Word& word, const Word& by) {
+  return joined(joined(by, word), reversed(document.other.net, by));
+}
+
+/// The claim that a surface is not isometric to itself.
+Document against_itself(const GeodesicsDocument& spectrum) {
+  Document document;
+  document.relation = Document::Relation::different;
+  static_cast<GeodesicsDocument&>(document) = spectrum;
+  document.other = spectrum;
+  return document;
+}
+
+/// The closed geodesics of a list that are not longer.
+GeodesicsDocument shortened(GeodesicsDocument spectrum, const std::string& up_to) {
+  std::erase_if(spectrum.geodesics, [&](const auto& geodesic) { return geodesic.length.lower > std::stod(up_to); });
+  spectrum.up_to = up_to;
+  return in_order(std::move(spectrum));
+}
+
+/// The list with intervals that are longer by 0.01 at each end.
+GeodesicsDocument widened(GeodesicsDocument spectrum) {
+  for (auto& geodesic : spectrum.geodesics)
+    geodesic.length = {geodesic.length.lower - 0.01, geodesic.length.upper + 0.01};
+  return in_order(std::move(spectrum));
+}
+
+TEST(SecondCheckerOfComparisons, TrueFilesAreVerified) {
+  for (const char* name : {"bolza-octagons-8-3", "bolza-over-a-field", "mirror-image", "wollmilchsau",
+                           "cover-of-an-octagon", "octagons", "genera", "sunada"}) {
+    EXPECT_EQ(both(read(name)), "VERIFIED") << name;
+  }
+}
+
+TEST(SecondCheckerOfComparisons, TheClaimIsInWords) {
+  EXPECT_EQ(checked(mirror_image()).claim, "the two surfaces are isometric");
+  EXPECT_EQ(checked(octagons()).claim, "the two surfaces are not isometric");
+}
+
+// Isometric.
+
+TEST(SecondCheckerOfComparisons, AnyLiftAndAnyPathsWillDo) {
+  for (Document document : {bolza(), mirror_image(), read("bolza-over-a-field")}) {
+    const Word turned = document.isometry.images[0];
+    for (Word& image : document.isometry.images) image = conjugate(document, image, turned);
+    EXPECT_EQ(both(document), "VERIFIED");
+  }
+  // Paths that begin with x conjugate the generators by x, and their images by that of x.
+  Document document = read("wollmilchsau");
+  ASSERT_GT(document.isometry.paths.size(), 1U);
+  for (Word& path : document.isometry.paths) path = joined(document.isometry.pair[0], path);
+  EXPECT_EQ(both(document), "REFUTED: isometric");
+  for (std::size_t k = 2; k < document.isometry.images.size(); ++k) {
+    document.isometry.images[k] = conjugate(document, document.isometry.images[k], document.isometry.images[0]);
+  }
+  EXPECT_EQ(both(document), "VERIFIED");
+}
+
+TEST(SecondCheckerOfComparisons, AnImageOfEachElementIsExamined) {
+  for (const Document& good : {bolza(), mirror_image(), read("bolza-over-a-field")}) {
+    for (std::size_t k = 0; k < good.isometry.images.size(); ++k) {
+      Document document = good;
+      Word& image = document.isometry.images[k];
+      // The same trace, but other traces of products.
+      image = reversed(good.other.net, image);
+      EXPECT_EQ(both(document), "REFUTED: isometric") << k;
+      document = good;
+      const auto other = std::find_if(good.isometry.images.begin(), good.isometry.images.end(), [&](const Word& word) {
+        return word != good.isometry.images[k] && word != reversed(good.other.net, good.isometry.images[k]);
+      });
+      ASSERT_NE(other, good.isometry.images.end());
+      document.isometry.images[k] = conjugate(good, good.isometry.images[k], *other);
+      EXPECT_EQ(both(document), "REFUTED: isometric") << k;
+    }
+  }
+}
+
+TEST(SecondCheckerOfComparisons, TheIdentityIsNoImage) {
+  Document document = mirror_image();
+  document.isometry.images.back().clear();
+  EXPECT_EQ(both(document), "REFUTED: isometric");
+}
+
+TEST(SecondCheckerOfComparisons, TheOrientationIsThatOfTheFile) {
+  for (Document document : {bolza(), mirror_image(), read("bolza-over-a-field"), read("wollmilchsau")}) {
+    document.isometry.preserves_orientation = !document.isometry.preserves_orientation;
+    EXPECT_EQ(both(document), "REFUTED: isometric");
+  }
+}
+
+TEST(SecondCheckerOfComparisons, TheAxesOfThePairCross) {
+  Document document = mirror_image();
+  document.isometry.pair[1] = document.isometry.pair[0];
+  document.isometry.images[1] = document.isometry.images[0];
+  EXPECT_EQ(both(document), "REFUTED: isometric");
+}
+
+TEST(SecondCheckerOfComparisons, AnotherSurfaceHasOtherTraces) {
+  Document document = mirror_image();
+  document.other.net = octagons().other.net;
+  EXPECT_EQ(both(document), "REFUTED: isometric");
+}
+
+TEST(SecondCheckerOfComparisons, ACoveringOfTwoSheetsIsNoIsometry) {
+  // The identity of the plane takes the group of the cover into that of the octagon, whose sides have the numbers
+  // modulo 8 of those of the two tiles above.
+  Document document = read("cover-of-an-octagon");
+  document.other.net = mirror_image().net;
+  const SurfaceSides sides(document.net.surface);
+  std::vector<Word> words = document.isometry.pair;
+  for (const Word& word : generator_words(sides, document.isometry.paths)) words.push_back(word);
+  for (Word& word : words) {
+    for (std::uint32_t& s : word) s %= 8;
+  }
+  document.isometry.images = words;
+  document.isometry.preserves_orientation = true;
+  EXPECT_EQ(both(document), "REFUTED: isometric");
+  EXPECT_EQ(checked(document).message, "the genera are 3 and 2");
+}
+
+TEST(SecondCheckerOfComparisons, TheOtherNetIsExamined) {
+  Document document = mirror_image();
+  document.other.net.epsilon = "0.5";
+  EXPECT_EQ(both(document), "REFUTED: other");
+  document = mirror_image();
+  document.net.epsilon = "0.5";
+  EXPECT_EQ(both(document), "REFUTED: covering");
+}
+
+TEST(SecondCheckerOfComparisons, WordsLeadWhereTheyShould) {
+  const Document good = read("wollmilchsau");
+  Document document = good;
+  document.isometry.images.pop_back();
+  EXPECT_EQ(both(document), "MALFORMED");
+  document = good;
+  document.isometry.images.push_back({});
+  EXPECT_EQ(both(document), "MALFORMED");
+  document = good;
+  document.isometry.paths.pop_back();
+  EXPECT_EQ(both(document), "MALFORMED");
+  document = good;
+  document.isometry.pair.push_back({});
+  EXPECT_EQ(both(document), "MALFORMED");
+  document = good;
+  ASSERT_FALSE(document.isometry.paths[1].empty());
+  document.isometry.paths[1].clear();
+  EXPECT_EQ(both(document), "MALFORMED");
+  document = good;
+  document.isometry.pair[0].pop_back();
+  EXPECT_EQ(both(document), "MALFORMED");
+  document = good;
+  document.isometry.images[3].push_back(1'000'000);
+  EXPECT_EQ(both(document), "MALFORMED");
+  document = good;
+  document.other.net.collars.emplace();
+  EXPECT_EQ(both(document), "MALFORMED");
+}
+
+// Different.
+
+TEST(SecondCheckerOfComparisons, ASurfaceIsNotDifferentFromItself) {
+  EXPECT_EQ(both(against_itself(octagons())), "UNDECIDED: different");
+  EXPECT_EQ(both(against_itself(sunada())), "UNDECIDED: different");
+  EXPECT_EQ(both(against_itself(sunada().other)), "UNDECIDED: different");
+}
+
+TEST(SecondCheckerOfComparisons, OnlyLengthsThatBothListsCoverAreCompared) {
+  Document document = against_itself(octagons());
+  document.other = shortened(document.other, "3");
+  ASSERT_LT(document.other.geodesics.size(), document.geodesics.size());
+  EXPECT_EQ(both(document), "UNDECIDED: different");
+  document.other = octagons();
+  static_cast<GeodesicsDocument&>(document) = shortened(document.other, "3");
+  EXPECT_EQ(both(document), "UNDECIDED: different");
+}
+
+TEST(SecondCheckerOfComparisons, LengthsAreAnywhereInTheirIntervals) {
+  Document document = against_itself(octagons());
+  document.other = widened(document.other);
+  EXPECT_EQ(both(document), "UNDECIDED: different");
+  document = against_itself(octagons());
+  static_cast<GeodesicsDocument&>(document) = widened(document);
+  EXPECT_EQ(both(document), "UNDECIDED: different");
+}
+
+TEST(SecondCheckerOfComparisons, EitherSurfaceMayHaveMoreClosedGeodesics) {
+  const Document good = octagons();
+  Document document = against_itself(good.other);
+  document.other = good;
+  EXPECT_EQ(both(document), "VERIFIED");
+  // With lists so short that they end where they begin to differ, only one of them has more.
+  const auto first = shortened(good, "2.9");
+  const auto other = shortened(good.other, "2.9");
+  ASSERT_NE(first.geodesics.size(), other.geodesics.size());
+  document = against_itself(first);
+  document.other = other;
+  EXPECT_EQ(both(document), "VERIFIED");
+  document = against_itself(other);
+  document.other = first;
+  EXPECT_EQ(both(document), "VERIFIED");
+}
+
+TEST(SecondCheckerOfComparisons, BothListsAreExamined) {
+  Document document = against_itself(octagons());
+  document.geodesics.erase(document.geodesics.begin());
+  static_cast<GeodesicsDocument&>(document) = in_order(document);
+  EXPECT_EQ(both(document), "REFUTED: complete");
+  document = against_itself(octagons());
+  document.other.geodesics.erase(document.other.geodesics.begin());
+  document.other = in_order(document.other);
+  EXPECT_EQ(both(document), "REFUTED: other");
+}
+
+TEST(SecondCheckerOfComparisons, CrossingsTellIsospectralSurfacesApart) {
+  const Document good = sunada();
+  ASSERT_EQ(good.geodesics.size(), good.other.geodesics.size());
+  Document document = against_itself(good.other);
+  document.other = good;
+  EXPECT_EQ(both(document), "VERIFIED");
+  // Lists of different lengths have different crossings on one surface, too.
+  document = against_itself(good);
+  document.other = shortened(good, "3.8");
+  ASSERT_LT(document.other.geodesics.size(), good.geodesics.size());
+  EXPECT_EQ(both(document), "UNDECIDED: different");
+  static_cast<GeodesicsDocument&>(document) = document.other;
+  document.other = good;
+  EXPECT_EQ(both(document), "UNDECIDED: different");
+}
+
+TEST(SecondCheckerOfComparisons, TheMirrorImageIsNotDifferent) {
+  // Of an octagon whose isometries all preserve the orientation, though the file says that it is.
+  EXPECT_EQ(both(read("mirror-image-different")), "UNDECIDED: different");
+}
+
+TEST(SecondCheckerOfComparisons, TheSpectraAreSpectra) {
+  Document document = octagons();
+  document.other.claim = GeodesicsDocument::Claim::systole;
+  document.other.up_to.clear();
+  document.other.clusters.clear();
+  document.other.geodesics.resize(1);
+  EXPECT_EQ(both(document), "MALFORMED");
+}
+
+}  // namespace
+}  // namespace epsnet::certify::comparison_test
