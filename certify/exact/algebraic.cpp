@@ -224,10 +224,12 @@ RealNumber real_number(const Algebraic& x) {
   if (x.is_integer()) return real_number(x.u_.empty() ? mpz_class(0) : x.u_[0]);
   // Cosines are at most 2, and so are their conjugates; those of s are roots of the conjugates of s².
   const std::size_t bits_of_s = (sum_bits(x.field_->square_of_s()) + 1) / 2 + 1;
-  return {2 * x.field_->degree(), std::max(sum_bits(x.u_) + 1, sum_bits(x.v_) + 1 + bits_of_s) + 1, [x](mp_bitcnt_t k) {
+  return {2 * x.field_->degree(), std::max(sum_bits(x.u_) + 1, sum_bits(x.v_) + 1 + bits_of_s) + 1,
+          [x](mp_bitcnt_t k) {
             const Approximation found = x.approximation(k);
             return Approximation{found.value >> k, (found.error >> k) + 2};
-          }};
+          },
+          x.field_->name()};
 }
 
 void take_common(const Algebraic& x, mpz_class& common) {

@@ -28,6 +28,8 @@ class RealField {
   static constexpr std::size_t kMaxDegree = 64;
 
   [[nodiscard]] unsigned long n() const { return n_; }
+  /// Numbers that only fields of the same numbers have.
+  [[nodiscard]] Integers name() const { return {p_, q_, n_}; }
   /// Of the field of the cosines: numbers are given by this many first cosines.
   [[nodiscard]] std::size_t degree() const { return relation_.size() - 1; }
   /// 2 cos(2πk/n).

@@ -18,7 +18,9 @@ class Comparison {
   /// Whether xy = x′y′, x and x′ of one field, y and y′ of another. Throws TooLarge.
   bool agree(const RealNumber& x, const RealNumber& y, const RealNumber& other_x, const RealNumber& other_y) {
     const std::size_t bits = std::max(x.bits + y.bits, other_x.bits + other_y.bits) + 1;
-    const std::size_t degree = std::max(x.degree, other_x.degree) * std::max(y.degree, other_y.degree);
+    const RealNumber& from = x.degree > 1 ? x : other_x;  // Integers are in every field.
+    const RealNumber& to = y.degree > 1 ? y : other_y;
+    const std::size_t degree = from.field == to.field ? from.degree : from.degree * to.degree;
     if (bits > kMostBitsOfAComparison / degree) throw TooLarge{"the numbers are too large to be compared exactly"};
     for (std::size_t k = 2 * bits + 64;; k *= 2) {
       const std::size_t cost = k * (x.degree + y.degree + 4);

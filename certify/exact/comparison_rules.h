@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,7 +27,8 @@ using AskRules = std::function<void(const std::vector<Rule>&)>;
 template <class R, class Q>
 std::string different_genera(const NetRules<R>& net, const NetRules<Q>& other) {
   if (net.euler() == other.euler()) return "";
-  return "the Euler characteristics are " + std::to_string(net.euler()) + " and " + std::to_string(other.euler());
+  const auto genus = [](std::int64_t euler) { return std::to_string(1 - euler / 2); };
+  return "the genera are " + genus(net.euler()) + " and " + genus(other.euler());
 }
 
 /// Rule `different`, after those of both spectra.

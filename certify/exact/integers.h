@@ -36,10 +36,11 @@ struct RealNumber {
   std::size_t bits = 1;    ///< Its conjugates are at most 2^bits.
   /// 2^k times the number.
   std::function<Approximation(mp_bitcnt_t k)> approximation;
+  Integers field;  ///< Numbers of which these are equal are in one field of that degree. Empty: that of the rationals.
 };
 
 inline RealNumber real_number(const mpz_class& n) {
-  return {1, mpz_sizeinbase(n.get_mpz_t(), 2), [n](mp_bitcnt_t k) { return Approximation{n << k, 0}; }};
+  return {1, mpz_sizeinbase(n.get_mpz_t(), 2), [n](mp_bitcnt_t k) { return Approximation{n << k, 0}; }, {}};
 }
 
 /// k such that 2^k is not less than the sum of the absolute values.

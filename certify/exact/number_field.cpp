@@ -133,6 +133,12 @@ void NumberField::spend(std::size_t work) const {
   work_left_ -= work;
 }
 
+Integers NumberField::name() const {
+  Integers result = f_;
+  result.insert(result.end(), {lower_, upper_, denominator_});
+  return result;
+}
+
 /// A root z of x^d + Σ f_(d−i) x^(d−i) is at most 2 max |f_(d−i)|^(1/i): else Σ |f_(d−i) z^(d−i)| < |z|^d Σ 2^−i.
 std::size_t NumberField::bits_of_roots() const {
   std::size_t most = 0;
@@ -300,7 +306,7 @@ Interval enclosure(const FieldNumber& x) {
 RealNumber real_number(const FieldNumber& x) {
   if (x.is_integer()) return real_number(x.x_.empty() ? mpz_class(0) : x.x_[0]);
   return {x.field_->degree(), sum_bits(x.x_) + (x.x_.size() - 1) * x.field_->bits_of_roots(),
-          [x](mp_bitcnt_t k) { return x.field_->approximation(x.x_, k); }};
+          [x](mp_bitcnt_t k) { return x.field_->approximation(x.x_, k); }, x.field_->name()};
 }
 
 void take_common(const FieldNumber& x, mpz_class& common) {

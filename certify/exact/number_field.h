@@ -29,6 +29,8 @@ class NumberField {
 
   [[nodiscard]] std::size_t degree() const { return f_.size() - 1; }
 
+  /// Numbers that only fields of the same root have.
+  [[nodiscard]] Integers name() const;
   /// k such that all complex roots of f are at most 2^k.
   [[nodiscard]] std::size_t bits_of_roots() const;
 

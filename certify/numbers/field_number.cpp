@@ -115,7 +115,7 @@ int sign_at(const std::vector<mpz_class>& f, const mpq_class& x) {
 }  // namespace
 
 NumberField::NumberField(const std::vector<mpz_class>& f, const std::array<mpq_class, 2>& between, Budget budget)
-    : f_(polynomial(f)), budget_(std::move(budget)) {
+    : f_(polynomial(f)), between_(between), budget_(std::move(budget)) {
   fmpz_poly_derivative(derivative_.get(), f_.get());
   auto [lower, upper] = between;
   const int below = count_roots(f, lower, upper).first_sign;

@@ -37,6 +37,8 @@ class NumberField {
 
   [[nodiscard]] std::size_t degree() const { return static_cast<std::size_t>(fmpz_poly_degree(f_.get())); }
   [[nodiscard]] const Polynomial& f() const { return f_; }
+  /// As given.
+  [[nodiscard]] const std::array<mpq_class, 2>& between() const { return between_; }
   [[nodiscard]] const Budget& budget() const { return budget_; }
   /// The value at α, to about as many bits as balls have: relative to the coefficients.
   [[nodiscard]] Ball value(const Polynomial& x) const;
@@ -48,6 +50,7 @@ class NumberField {
   [[nodiscard]] Ball root(slong bits) const;
 
   Polynomial f_;
+  std::array<mpq_class, 2> between_;
   Polynomial derivative_;
   Budget budget_;
   mutable std::mutex mutex_;

@@ -21,6 +21,10 @@ using Polynomial = Owner<PolynomialType>;
 
 [[nodiscard]] inline bool is_zero(const Polynomial& x) { return fmpz_poly_is_zero(x.get()) != 0; }
 
+[[nodiscard]] inline bool are_equal(const Polynomial& x, const Polynomial& y) {
+  return fmpz_poly_equal(x.get(), y.get()) != 0;
+}
+
 /// The most bits of a coefficient.
 [[nodiscard]] inline std::uint64_t bits_of_coefficients(const Polynomial& x) {
   return static_cast<std::uint64_t>(std::abs(fmpz_poly_max_bits(x.get())));

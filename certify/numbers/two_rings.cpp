@@ -46,4 +46,12 @@ RealNumber real_number(const FieldNumber& x) {
   return {degree, sum_bits(x.re) + (degree - 1) * root_bits(x.field->f()), storage_bits(x.re)};
 }
 
+bool in_one_field(const RegularNumber& x, const RegularNumber& y) {
+  return x.ring->order() == y.ring->order() && are_equal(x.ring->square_of_s(), y.ring->square_of_s());
+}
+
+bool in_one_field(const FieldNumber& x, const FieldNumber& y) {
+  return are_equal(x.field->f(), y.field->f()) && x.field->between() == y.field->between();
+}
+
 }  // namespace epsnet::certify

@@ -33,6 +33,15 @@ struct RealNumber {
 [[nodiscard]] RealNumber real_number(const RegularNumber& x);
 [[nodiscard]] RealNumber real_number(const FieldNumber& x);
 
+/// Whether the numbers of two rings are known to be in one field of the degree of each.
+template <class X, class Y>
+[[nodiscard]] bool in_one_field(const X& /*x*/, const Y& /*y*/) {
+  return false;
+}
+[[nodiscard]] inline bool in_one_field(const mpz_class& /*x*/, const mpz_class& /*y*/) { return true; }
+[[nodiscard]] bool in_one_field(const RegularNumber& x, const RegularNumber& y);
+[[nodiscard]] bool in_one_field(const FieldNumber& x, const FieldNumber& y);
+
 /// Its value, with a relative error of 2^−precision of the bound of its conjugates, about.
 [[nodiscard]] inline Ball value(const mpz_class& x) { return Ball::rounded(x); }
 [[nodiscard]] inline Ball value(const RegularNumber& x) { return real_ball(x); }
@@ -69,7 +78,8 @@ template <class X, class Y>
   const RealNumber other_y = real_number(pair.other_y);
   const std::uint64_t bits = std::max(x.bits + y.bits, other_x.bits + other_y.bits) + 1;
   const std::uint64_t storage = x.storage + y.storage + other_x.storage + other_y.storage;
-  return is_zero(x.degree * y.degree, bits, [&] {
+  const std::uint64_t degree = in_one_field(pair.x, pair.y) ? x.degree : x.degree * y.degree;
+  return is_zero(degree, bits, [&] {
     const auto precision = static_cast<std::uint64_t>(Precision::bits());
     budget.spend(function_work(precision) + product_work(storage), x.degree + y.degree);
     return value(pair.x) * value(pair.y) - value(pair.other_x) * value(pair.other_y);

@@ -80,6 +80,67 @@ bool search(const Surface& first, const Surface& second, const std::vector<certi
   return reversing && answer_is(*std::move(reversing), reversing_is_exact);
 }
 
+/// By how much traces of generators, and of products of two, differ from those of their images; nothing, if the images
+/// do not satisfy the relations.
+std::optional<double> difference_of(const Source& source, const LiftedTiles& tiles, const std::vector<Word>& images) {
+  std::vector<Isometry<Number>> there;
+  for (const Word& word : images) there.push_back(normalized(tiles.value(word)));
+  const FundamentalPolygon polygon = fundamental_polygon(source.tiles.surface());
+  std::vector<Isometry<Number>> by_side(polygon.sides.size());
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < by_side.size(); ++k) {
+    const std::size_t partner = polygon.sides[k].partner;
+    by_side[k] = k < partner ? there[next++] : inverse(by_side[partner]);
+  }
+  for (const std::vector<std::uint32_t>& relation : polygon.relations) {
+    Isometry<Number> product;
+    for (const std::uint32_t k : relation) product = product * by_side[k];
+    for (const Number& part : {product.a.y, product.b.x, product.b.y}) {
+      if (!agree(part, 0)) return std::nullopt;
+    }
+  }
+  const auto differ = [](const Isometry<Number>& f, const Isometry<Number>& g) {
+    return static_cast<double>(abs(Number(2 * (abs(f.a.x) - abs(g.a.x)))));
+  };
+  double result = 0;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const Isometry<Number> x = normalized(source.generators.elements[i]);
+    result = std::max(result, differ(x, there[i]));
+    for (std::size_t j = 0; j < i; ++j) {
+      const Isometry<Number> y = normalized(source.generators.elements[j]);
+      result = std::max(result, differ(x * y, there[i] * there[j]));
+    }
+  }
+  return result;
+}
+
+/// Looks for an isomorphism of the groups that hardly changes traces: the nearest one of those that a pair of elements
+/// tells. Requires: spectra.
+std::optional<NearIsometry> near_isometry(const Surface& first, const Surface& second,
+                                          const std::vector<certify::GeodesicsDocument>& spectra,
+                                          const IsometryOptions& options) {
+  constexpr double kTolerance = 1e-3;  // Of half the traces of the pair.
+  constexpr double kMostRest = 0.05;   // Of the images of generators: elements of the group are farther apart.
+  constexpr int kMostMatches = 200;
+  if (spectra[0].geodesics.empty() || spectra[1].geodesics.empty()) return std::nullopt;
+  const Source source(first, spectra[0]);
+  const LiftedTiles tiles(second, spectra[1].geodesics.front().length.lower);
+  std::optional<NearIsometry> best;
+  int tried = 0;
+  for (const Line& line : lines(tiles, spectra[1])) {
+    for (const Match& match : matches(tiles, line, source.pair, certify::thread_count(options.threads), kTolerance)) {
+      if (++tried > kMostMatches) return best;
+      const Motion<Number> f = source.motion_of(match, tiles);
+      std::optional<std::vector<Word>> images = source.images(tiles, f, kMostRest);
+      const auto difference = images ? difference_of(source, tiles, *images) : std::nullopt;
+      if (!difference || *difference > 10 * kTolerance || (best && best->difference <= *difference)) continue;
+      best =
+          NearIsometry{{.preserves_orientation = preserves_orientation(f), .images = *std::move(images)}, *difference};
+    }
+  }
+  return best;
+}
+
 /// The match of an automorphism.
 Match match_of(const LiftedTiles& tiles, const Pair& pair, const MapAutomorphism& automorphism) {
   Word x_word = image_of(automorphism, pair.x.word);
@@ -408,6 +469,7 @@ IsometricAnswer isometric(const Surface& first, const Surface& second, const Iso
       prove_isometry(first, second, std::move(spectra), options, answer);
       return answer;
     }
+    if (!genera_differ && tries == 1) answer.near = near_isometry(first, second, spectra, options);
     if (prove_difference(spectra, difference, options, answer)) return answer;
     if (difference) {
       answer.reason = *difference + "; but certify does not verify this";

@@ -108,6 +108,14 @@ struct IsometryOptions {
                                                                           const IsometryGroup& group,
                                                                           const IsometryOptions& options = {});
 
+/// What comes near to an isometry between two surfaces, as where the numbers of one of them are rounded: an isomorphism
+/// of their groups that hardly changes traces. Computed with 256 bits, not proved.
+struct NearIsometry {
+  SurfaceIsometry marking;  ///< The isomorphism.
+  /// By how much traces differ at most: those of generators and of products of two, from those of their images.
+  double difference;
+};
+
 /// The answer to whether two surfaces are isometric.
 struct IsometricAnswer {
   /// What is known.
@@ -123,6 +131,8 @@ struct IsometricAnswer {
   /// The answer as a file, VERIFIED. Absent if it is undecided, or if an isometry is decided here alone, as its numbers
   /// are too large for the checker.
   std::optional<Certified<certify::ComparisonDocument>> proof;
+  /// If there is no `isometry`: what is nearest to one, if traces differ by some thousandths at most.
+  std::optional<NearIsometry> near;
 };
 
 /// Returns what a comparison file says of an isometry from one surface to another, given a net of each; not proved.

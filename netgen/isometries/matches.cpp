@@ -19,9 +19,7 @@ constexpr std::uint64_t kMostTiles = 2'000'000;
 
 }  // namespace
 
-bool agree(const Number& x, const Number& y) {
-  return abs(x - y) <= boost::multiprecision::ldexp(Number(1 + abs(x)), -100);
-}
+bool agree(const Number& x, const Number& y, double tolerance) { return abs(x - y) <= tolerance * Number(1 + abs(x)); }
 
 bool agree(const Vector& u, const Vector& v) { return agree(u.x, v.x) && agree(u.y, v.y) && agree(u.t, v.t); }
 
@@ -142,11 +140,12 @@ namespace {
 
 /// The matches whose y' moves one of the `count` points of a line.
 std::vector<Match> matches_near(const LiftedTiles& tiles, const Line& line, const Pair& pair, std::uint32_t i,
-                                std::uint32_t count) {
+                                std::uint32_t count, double tolerance) {
   std::vector<Match> result;
   const Number half_trace = half_trace_of_product(pair.x.element, pair.y);
-  const auto is_near = [](double x, double y) { return std::abs(x - y) <= 1e-5 * (1 + std::abs(y)); };
-  const double radius = pair.displacement + static_cast<double>(line.length) / count + 1e-6;
+  const double rough = 1e-5 + 2 * tolerance;
+  const auto is_near = [&](double x, double y) { return std::abs(x - y) <= rough * (1 + std::abs(y)); };
+  const double radius = pair.displacement + static_cast<double>(line.length) / count + 1e-6 + 10 * tolerance;
   const Vector point = line.point(tiles.centre(line.tile), line.length * i / count);
   const auto near = tiles.elements(line.tile, point, radius, kMostTiles);
   const Isometry<Number> base = Isometry<Number>::translation(in_disk(point));
@@ -162,7 +161,9 @@ std::vector<Match> matches_near(const LiftedTiles& tiles, const Line& line, cons
       const Isometry<Number> x2 = forward ? line.element : inverse(line.element);
       Word word = near.word(element);
       const Isometry<Number> y2 = normalized(tiles.value(word));
-      if (!agree(y2.a.x, pair.y.a.x) || !agree(half_trace_of_product(x2, y2), half_trace)) continue;
+      if (!agree(y2.a.x, pair.y.a.x, tolerance) || !agree(half_trace_of_product(x2, y2), half_trace, tolerance)) {
+        continue;
+      }
       Word x_word = forward ? line.word : reversed(tiles.surface(), line.word);
       result.push_back({line.tile, x2, y2, std::move(x_word), std::move(word)});
     }
@@ -172,12 +173,13 @@ std::vector<Match> matches_near(const LiftedTiles& tiles, const Line& line, cons
 
 }  // namespace
 
-std::vector<Match> matches(const LiftedTiles& tiles, const Line& line, const Pair& pair, unsigned threads) {
-  if (!agree(line.element.a.x, pair.x.element.a.x)) return {};
+std::vector<Match> matches(const LiftedTiles& tiles, const Line& line, const Pair& pair, unsigned threads,
+                           double tolerance) {
+  if (!agree(line.element.a.x, pair.x.element.a.x, tolerance)) return {};
   const std::uint32_t count = point_count(line.length);
   std::vector<std::vector<Match>> found(count);
   certify::for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
-    found[i] = matches_near(tiles, line, pair, static_cast<std::uint32_t>(i), count);
+    found[i] = matches_near(tiles, line, pair, static_cast<std::uint32_t>(i), count, tolerance);
   });
   std::vector<Match> result;
   for (std::vector<Match>& some : found) {
@@ -205,12 +207,15 @@ Word from_tile_0(const Surface& surface, TileId tile, const Word& word) {
 
 }  // namespace
 
-std::optional<Word> image_word(const LiftedTiles& to, const Motion<Number>& f, const Isometry<Number>& element) {
+std::optional<Word> image_word(const LiftedTiles& to, const Motion<Number>& f, const Isometry<Number>& element,
+                               double tolerance) {
   const Isometry<Number> image_of = conjugated(f, element);
   Word way = to.walk(TileId(0), image(image_of, to.centre(TileId(0))));
   if (to.end_of(TileId(0), way) != TileId(0)) return std::nullopt;
   const Isometry<Number> rest = to.value(way) * image_of;
-  if (!agree(rest.a.y, 0) || !agree(rest.b.x, 0) || !agree(rest.b.y, 0)) return std::nullopt;
+  for (const Number& part : {rest.a.y, rest.b.x, rest.b.y}) {
+    if (!agree(part, 0, tolerance)) return std::nullopt;
+  }
   return concatenated(to.surface(), {}, reversed(to.surface(), way));
 }
 
@@ -226,10 +231,11 @@ Motion<Number> Source::motion_of(const Match& match, const LiftedTiles& to) cons
          motion(tiles.value(path_between_tiles(tiles.surface(), TileId(0), pair.x.tile)));
 }
 
-std::optional<std::vector<Word>> Source::images(const LiftedTiles& to, const Motion<Number>& f) const {
+std::optional<std::vector<Word>> Source::images(const LiftedTiles& to, const Motion<Number>& f,
+                                                double tolerance) const {
   std::vector<Word> result;
   for (const Isometry<Number>& element : generators.elements) {
-    std::optional<Word> word = image_word(to, f, element);
+    std::optional<Word> word = image_word(to, f, element, tolerance);
     if (!word) return std::nullopt;
     result.push_back(*std::move(word));
   }

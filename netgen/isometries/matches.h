@@ -12,8 +12,11 @@
 /// tiles near closed geodesics (docs/isometries.md, "How all are found").
 namespace epsnet {
 
-/// Whether two numbers of 256 bits are equal but for the errors of some operations.
-[[nodiscard]] bool agree(const LiftedTiles::Number& x, const LiftedTiles::Number& y);
+/// By how much numbers of 256 bits may differ that are equal but for the errors of some operations, relative to their
+/// size, if that is more than 1.
+inline constexpr double kRounding = 0x1p-100;
+/// Whether two numbers differ by no more than that, or another tolerance.
+[[nodiscard]] bool agree(const LiftedTiles::Number& x, const LiftedTiles::Number& y, double tolerance = kRounding);
 /// Whether three are.
 [[nodiscard]] bool agree(const LiftedTiles::Vector& u, const LiftedTiles::Vector& v);
 
@@ -48,13 +51,13 @@ struct Match {
   Word y_word;
 };
 
-/// Returns the pairs (x', y') of which x', y' and x'y' have the traces of x, y and xy: x' is `line` in one of its two
-/// directions, and y' moves a point of its axis by no more than y moves one of the axis of x. Up to powers of x', every
-/// such pair is among them, perhaps more than once.
+/// Returns the pairs (x', y') of which x', y' and x'y' have the traces of x, y and xy, to within the tolerance: x' is
+/// `line` in one of its two directions, and y' moves a point of its axis by no more than y moves one of the axis of x.
+/// Up to powers of x', every such pair is among them, perhaps more than once.
 ///
 /// The result is the same for any number of threads. Throws LimitError if too many tiles are near the line.
-[[nodiscard]] std::vector<Match> matches(const LiftedTiles& tiles, const Line& line, const Pair& pair,
-                                         unsigned threads);
+[[nodiscard]] std::vector<Match> matches(const LiftedTiles& tiles, const Line& line, const Pair& pair, unsigned threads,
+                                         double tolerance = kRounding);
 
 /// The generators of a surface's group.
 struct Generators {
@@ -65,9 +68,10 @@ struct Generators {
 };
 
 /// The image of a generator's element under an isometry of the plane, as a word from tile 0 to itself; nothing, if it
-/// is not in the group.
+/// is not in the group, to within the tolerance.
 [[nodiscard]] std::optional<Word> image_word(const LiftedTiles& to, const Motion<LiftedTiles::Number>& f,
-                                             const Isometry<LiftedTiles::Number>& element);
+                                             const Isometry<LiftedTiles::Number>& element,
+                                             double tolerance = kRounding);
 
 /// What is common to all isometries from one surface: where they are told from.
 struct Source {
@@ -82,9 +86,9 @@ struct Source {
   [[nodiscard]] Motion<LiftedTiles::Number> motion_of(const Match& match, const LiftedTiles& to) const;
 
   /// The images of all generators under an isometry of the plane, as words from tile 0 to itself; nothing, if one of
-  /// them is not in the group.
-  [[nodiscard]] std::optional<std::vector<Word>> images(const LiftedTiles& to,
-                                                        const Motion<LiftedTiles::Number>& f) const;
+  /// them is not in the group, to within the tolerance.
+  [[nodiscard]] std::optional<std::vector<Word>> images(const LiftedTiles& to, const Motion<LiftedTiles::Number>& f,
+                                                        double tolerance = kRounding) const;
 
   /// Whether an isometry that agrees with the numbers is one: exactly.
   [[nodiscard]] std::optional<bool> is_exact(const Match& match, const LiftedTiles& to,

@@ -142,6 +142,11 @@ void list_isometries(const IsometriesRequest& request) {
   if (!found.proof) throw UndecidedError(verdict);
 }
 
+std::string near_text(const NearIsometry& near) {
+  return "near: a marking that " + std::string(near.marking.preserves_orientation ? "preserves" : "reverses") +
+         " orientation, by which traces differ by at most " + certify::decimal_above(near.difference, 2);
+}
+
 const char* answer_text(IsometricAnswer::Kind kind) {
   if (kind == IsometricAnswer::Kind::yes) return "yes";
   return kind == IsometricAnswer::Kind::no ? "no" : "undecided";
@@ -167,6 +172,13 @@ void compare_surfaces(const IsometriesRequest& request) {
     report.json["isometry"] = isometry_json(*answer.isometry);
     out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
     write_images(out, words, *answer.isometry);
+  }
+  if (answer.near) {
+    report.json["words"] = words;
+    report.json["near"] = isometry_json(answer.near->marking);
+    report.json["near"]["difference"] = answer.near->difference;
+    out << near_text(*answer.near) << '\n';
+    write_images(out, words, answer.near->marking);
   }
   if (answer.proof) {
     report.json["verdict"] = certify::name(answer.proof->certificate.verdict);
@@ -252,7 +264,8 @@ void identify_surface(const IsometriesRequest& request) {
   if (report.json["name"].is_null()) {
     out << "name: none that is known\n";
     for (const auto& [name, answer] : answers)
-      out << "isometric to " << name << ": " << answer_text(answer.kind) << ": " << answer.reason << '\n';
+      out << "isometric to " << name << ": " << answer_text(answer.kind) << ": " << answer.reason << '\n'
+          << (answer.near ? near_text(*answer.near) + '\n' : "");
     undecided = undecided.empty() ? "" : "undecided: whether it is " + undecided;
   } else {
     undecided.clear();

@@ -21,6 +21,15 @@ void bind_isometries(py::module_& module) {
         for (const auto& isometry : self->isometries) result.push_back(isometry.preserves_orientation);
         return result;
       });
+  using certify::ComparisonDocument;
+  using SharedComparison = Shared<ComparisonDocument>;
+  py::class_<SharedComparison> comparison(module, "Comparison");
+  bind_document<ComparisonDocument>(comparison);
+  comparison.def_property_readonly("net", [](const SharedComparison& self) { return SharedNet(self->net); })
+      .def_property_readonly("other_net", [](const SharedComparison& self) { return SharedNet(self->other.net); })
+      .def_property_readonly("isometric", [](const SharedComparison& self) {
+        return self->relation == ComparisonDocument::Relation::isometric;
+      });
   using Kind = IsometricAnswer::Kind;
   using Plain = std::pair<bool, std::vector<Word>>;
   const auto plain = [](const SurfaceIsometry& f) { return Plain(f.preserves_orientation, f.images); };
@@ -48,11 +57,14 @@ void bind_isometries(py::module_& module) {
       .def_property_readonly("name", &IsometryGroup::name);
   module.def("isometric", [plain](const Surface& first, const Surface& second, unsigned threads,
                                   const py::object& callback) {
-    const IsometricAnswer answer = interruptible(
+    IsometricAnswer answer = interruptible(
         [=](const Progress& progress) { return isometric(first, second, {.threads = threads, .progress = progress}); },
         callback);
     const bool decided = answer.kind != Kind::undecided;
-    return std::tuple(decided, answer.isometry ? std::optional(plain(*answer.isometry)) : std::nullopt, answer.reason);
+    using Proof = std::pair<SharedComparison, certify::Certificate>;
+    std::optional<Proof> file = answer.proof ? std::optional(shared(*std::move(answer.proof))) : std::nullopt;
+    return std::tuple(decided, answer.isometry ? std::optional(plain(*answer.isometry)) : std::nullopt, answer.reason,
+                      std::move(file));
   });
   module.def("identify", [](const Surface& surface, unsigned threads, const py::object& callback) {
     const std::vector<NamedAnswer> answers = interruptible(

@@ -55,12 +55,12 @@ from .nets import Collar, DistanceTable, Lifts, Location, Net, Page
 from .pants import Cuff, PantsDecomposition
 from .points import Point
 from .surfaces import Surface
-from .symmetries import IsometryGroup, IsometryProof, SurfaceIsometry
+from .symmetries import Comparison, IsometryGroup, IsometryProof, SurfaceIsometry
 
 __version__: str = _epsnet.__version__
 
 __all__ = [
-    "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Cuff", "Diameter",
+    "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
     "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
     "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole",

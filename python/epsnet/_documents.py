@@ -12,7 +12,10 @@ from ._progress import Shower
 from .certificates import Certificate, Proof
 from .errors import ArgumentError, NotVerifiedError
 
-Core = Union["_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof", "_epsnet.PantsDecomposition"]
+Core = Union[
+    "_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof", "_epsnet.PantsDecomposition",
+    "_epsnet.Comparison",
+]
 Self = TypeVar("Self", bound="Document")
 
 

@@ -14,16 +14,16 @@ from .geodesics import ClosedGeodesics, Systole, ThickThin
 from .nets import Net
 from .pants import PantsDecomposition
 from .surfaces import Surface
-from .symmetries import IsometryProof
+from .symmetries import Comparison, IsometryProof
 
 __all__ = ["certify", "load"]
 
-Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cover, Eigenvalues, IsometryProof, PantsDecomposition]
+Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cover, Eigenvalues, IsometryProof, PantsDecomposition, Comparison]
 
 
 def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded:
     """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter, a Radius or an EmbeddedDisk,
-    Eigenvalues, an IsometryProof, or a PantsDecomposition.
+    Eigenvalues, an IsometryProof, a PantsDecomposition, or a Comparison.
 
     The file is checked; NotVerifiedError, which has the certificate, unless it is verified. With ``check=False`` nothing is checked: then
     intervals say ``proved=False``, and ``certificate`` checks when it is asked for. FormatError and FileError say where, and what was expected.
@@ -53,6 +53,8 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
         return IsometryProof(core, None, certificate)
     if isinstance(core, _epsnet.PantsDecomposition):
         return PantsDecomposition(core, None, certificate)
+    if isinstance(core, _epsnet.Comparison):
+        return Comparison(core, None, certificate)
     if core.claim == "systole":
         return Systole(ClosedGeodesics(core, None, certificate))
     return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, None, certificate)

@@ -29,7 +29,7 @@ from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of, random_points
 from .pants import PantsDecomposition, dehn_twist, dehn_twist_words, pants, twist
-from .symmetries import IsometryGroup, SurfaceIsometry, identify, isometric_to, isometries
+from .symmetries import Comparison, IsometryGroup, SurfaceIsometry, compare, comparison, identify, isometries
 
 __all__ = ["Surface"]
 
@@ -648,15 +648,27 @@ class Surface(Drawn, Immutable):
         return isometries(self, threads, progress)
 
     def isometric_to(self, other: "Surface", *, threads: int = 0, progress: Progress = None) -> Optional[SurfaceIsometry]:
-        """An isometry to another surface, decided exactly; None if there is none: the genera differ, or the numbers of closed geodesics up to
-        some length, in two lists that are verified. The module decides, and there is no certificate. UndecidedError if neither is found, or the exact numbers of the two surfaces are in no number field of degree 64 or less.
+        """An isometry to another surface, decided exactly; None if it is proved that there is none. UndecidedError if neither is found, or the
+        exact numbers of the two surfaces are too large. ``compare`` returns the proof.
 
         >>> import epsnet
         >>> bolza = epsnet.Surface.regular(2)
         >>> bolza.isometric_to(bolza), bolza.isometric_to(epsnet.Surface.octagon(1))
         (<SurfaceIsometry that preserves orientation>, None)
         """
-        return isometric_to(self, other, threads, progress)
+        return compare(self, other, threads, progress)[0]
+
+    def compare(self, other: "Surface", *, threads: int = 0, progress: Progress = None) -> Comparison:
+        """Whether another surface is isometric to this one, with the proof, a file. UndecidedError if neither is proved.
+
+        >>> import epsnet
+        >>> bolza = epsnet.Surface.regular(2)
+        >>> bolza.compare(epsnet.Surface.octagon(1))
+        <Comparison: different>
+        >>> bolza.compare(bolza).isometry
+        <SurfaceIsometry that preserves orientation>
+        """
+        return comparison(self, other, threads, progress)
 
     def identify(self, *, threads: int = 0, progress: Progress = None) -> Optional[str]:
         """The name of the named surface (``Surface.named``) to which it is isometric, decided exactly; None if it is isometric to none of its genus.

@@ -16,7 +16,7 @@ from .isometries import Isometry
 from .nets import Net
 from .points import Point, point_of
 
-__all__ = ["IsometryGroup", "IsometryProof", "SurfaceIsometry"]
+__all__ = ["Comparison", "IsometryGroup", "IsometryProof", "SurfaceIsometry"]
 
 
 class SurfaceIsometry(Immutable):
@@ -86,6 +86,52 @@ class IsometryProof(Document):
 
     def __repr__(self) -> str:
         return f"<IsometryProof of order {self.order}{'' if self.proved else ' (not proved)'}>"
+
+
+class Comparison(Document):
+    """That two surfaces are isometric, or that they are not, with what proves it: the contents of a comparison file."""
+
+    _core: "_epsnet.Comparison"
+
+    def __init__(
+        self, core: "_epsnet.Comparison", surface: Optional["Surface"], certificate: Optional[Certificate],
+        other: Optional["Surface"] = None, isometry: Optional[SurfaceIsometry] = None,
+    ) -> None:
+        self._hold(core, surface, certificate)
+        self._other = other
+        #: The isometry, if they are isometric and this was not loaded from a file; else None.
+        self.isometry = isometry
+
+    @property
+    def isometric(self) -> bool:
+        """Whether they are isometric."""
+        return self._core.isometric
+
+    @property
+    def other(self) -> "Surface":
+        """The other surface."""
+        if self._other is None:
+            self._other = self._surface_class._of(self._core.other_net.surface)
+        return self._other
+
+    @cached_property
+    def net(self) -> Net:
+        """The net of the first surface on which it is proved."""
+        return Net(self._core.net, self._surface, None)
+
+    @cached_property
+    def other_net(self) -> Net:
+        """The net of the other surface."""
+        return Net(self._core.other_net, self._other, None)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Comparison) and bool(self._core == other._core)
+
+    def __hash__(self) -> int:
+        return hash((self.isometric, self.surface, self.other))
+
+    def __repr__(self) -> str:
+        return f"<Comparison: {'isometric' if self.isometric else 'different'}{'' if self.proved else ' (not proved)'}>"
 
 
 class IsometryGroup(Immutable, Sequence[SurfaceIsometry]):
@@ -210,15 +256,26 @@ def isometries(surface: "Surface", threads: int, progress: Progress) -> Isometry
         return IsometryGroup(surface, _epsnet.IsometryGroup(surface._core, threads, callback), threads)
 
 
-def isometric_to(surface: "Surface", other: "Surface", threads: int, progress: Progress) -> Optional[SurfaceIsometry]:
+def compare(
+    surface: "Surface", other: "Surface", threads: int, progress: Progress
+) -> Tuple[Optional[SurfaceIsometry], Optional[Comparison]]:
+    """An isometry, if there is one, and the proof, unless the numbers are too large for the checker."""
     if not isinstance(other, type(surface)):
         refuse("a surface", other, "other")
     threads = as_threads(threads)
     with Shower(progress) as callback:
-        decided, found, reason = _epsnet.isometric(surface._core, other._core, threads, callback)
+        decided, found, reason, proof = _epsnet.isometric(surface._core, other._core, threads, callback)
     if not decided:
         raise UndecidedError(reason)
-    return None if found is None else SurfaceIsometry(surface, other, found)
+    isometry = None if found is None else SurfaceIsometry(surface, other, found)
+    return isometry, None if proof is None else Comparison(proof[0], surface, Certificate(proof[1]), other, isometry)
+
+
+def comparison(surface: "Surface", other: "Surface", threads: int, progress: Progress) -> Comparison:
+    proof = compare(surface, other, threads, progress)[1]
+    if proof is None:
+        raise UndecidedError("the exact numbers are too large for the checker")
+    return proof
 
 
 def identify(surface: "Surface", threads: int, progress: Progress) -> Optional[str]:

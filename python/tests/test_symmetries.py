@@ -67,6 +67,20 @@ def test_isometric_surfaces(octagon, bolza):
     assert octagon.isometric_to(bolza) is None and octagon.isometric_to(Surface.named("klein")) is None
 
 
+def test_a_comparison_is_a_file(octagon, bolza, tmp_path):
+    for other, isometric in ((octagon, True), (bolza, False)):
+        comparison = octagon.compare(other)
+        assert comparison.isometric == isometric and comparison.proved and comparison.other == other
+        assert comparison.isometry == octagon.isometric_to(other)
+        path = tmp_path / "comparison.json"
+        comparison.save(path)
+        loaded = epsnet.load(path)
+        assert loaded == comparison and hash(loaded) == hash(comparison) and loaded.proved and repr(loaded) == repr(comparison)
+        assert (loaded.surface, loaded.other, loaded.isometry) == (octagon, other, None)
+        assert loaded.net.surface == octagon and loaded.other_net.surface == other
+        assert epsnet.certify(path).verdict == "VERIFIED"
+
+
 def test_surfaces_of_different_kinds_are_compared(bolza):
     # GL(2,3) as it permutes the eight vectors other than 0: octagons of which three meet at each vertex.
     x, y = (3, 7, 0, 4, 5, 1, 2, 6), (2, 5, 0, 3, 6, 1, 4, 7)

@@ -3043,6 +3043,109 @@ def isometries_of_a_higher_order():
     return isometries("bolza", order=97)
 
 
+# ---- Two surfaces ------------------------------------------------------------------------------------------------
+
+group = "comparisons"
+
+
+def comparison(name="mirror-image", **changes):
+    """Two surfaces: an octagon and its mirror image, or another pair of tests/data/comparisons."""
+    with open(os.path.join(TOP, "tests", "data", "comparisons", name + ".json"), encoding="utf-8") as file:
+        return {**json.load(file), **changes}
+
+
+def against_itself(document, **changes):
+    """The claim that the first surface is different from itself, with other lists of closed geodesics."""
+    other = {key: document[key] for key in ("net", "up_to", "geodesics", "clusters")}
+    document["other_spectrum"] = {"format": "epsnet-geodesics", "version": 1, "claim": "spectrum", **other, **changes}
+    return document
+
+
+def shorter(document, length):
+    """The closed geodesics that are not longer."""
+    return {"up_to": str(length), **{key: value for key, value in runs({"geodesics": [
+        row for row in document["geodesics"] if row["length"][0] <= length]}).items() if key in ("geodesics", "clusters")}}
+
+
+@refuted("isometric")
+def isometric_by_another_orientation():
+    """An octagon and its mirror image, by an isometry that preserves the orientation, the file says."""
+    return comparison(preserves_orientation=True)
+
+
+@refuted("isometric")
+def isometric_with_an_image_inverted():
+    """One generator goes to the inverse of its image, which has the same trace."""
+    document = comparison("bolza-octagons-8-3")
+    partner = {}
+    for t, k, u, l in document["other_net"]["surface"]["gluing"]:
+        partner[8 * t + k], partner[8 * u + l] = 8 * u + l, 8 * t + k
+    document["images"][3] = [partner[s] for s in reversed(document["images"][3])]
+    return document
+
+
+@refuted("isometric", says="genera are 3 and 2")
+def isometric_to_the_octagon_below():
+    """A cover of two sheets; each element goes to itself, an element of the group of the octagon."""
+    document = comparison("cover-of-an-octagon", other_net=comparison()["net"])
+    paths, partner = document["paths"], {}
+    for t, k, u, l in document["net"]["surface"]["gluing"]:
+        partner[8 * t + k], partner[8 * u + l] = 8 * u + l, 8 * t + k
+    elements = [paths[s // 8] + [s] + [partner[r] for r in reversed(paths[partner[s] // 8])]
+                for s in range(16) if s < partner[s]]
+    return with_(document, images=[[s % 8 for s in word] for word in document["pair"] + elements])
+
+
+@refuted("isometric")
+def isometric_to_another_octagon():
+    """The other surface is another octagon, with the same words."""
+    return comparison(other_net=comparison("octagons")["other_spectrum"]["net"])
+
+
+@refuted("other")
+def isometric_by_a_net_that_is_none():
+    """The net of the other surface covers less than its epsilon says."""
+    document = comparison()
+    document["other_net"]["epsilon"] = "0.5"
+    return document
+
+
+@forgery("UNDECIDED: different")
+def different_from_itself():
+    """Isospectral it is."""
+    return against_itself(comparison("sunada"))
+
+
+@forgery("UNDECIDED: different")
+def different_from_its_mirror_image():
+    """An octagon with other isometries to its mirror image than to itself."""
+    return comparison("mirror-image-different")
+
+
+@forgery("UNDECIDED: different")
+def different_by_a_shorter_list():
+    """The list of the other surface, the same one, ends earlier, with fewer closed geodesics and fewer crossings."""
+    document = comparison("octagons")
+    return against_itself(document, **shorter(document, 3))
+
+
+@refuted("other")
+def different_by_a_geodesic_left_out():
+    """In the list of the other surface, the same one, a closed geodesic is missing."""
+    document = comparison("octagons")
+    rest = {"geodesics": document["geodesics"][1:]}
+    return against_itself(document, **{key: runs(rest)[key] for key in ("geodesics", "clusters")})
+
+
+@malformed("other_spectrum.claim")
+def different_by_a_systole():
+    """The other list is a systole and no spectrum."""
+    document = comparison("octagons")
+    document["other_spectrum"] = {"format": "epsnet-geodesics", "version": 1, "claim": "systole",
+                                  "net": document["net"], "geodesics": document["geodesics"][:1]}
+    return document
+
+
 # ---- Pants decompositions ----------------------------------------------------------------------------------------
 
 group = "pants"
@@ -4211,6 +4314,25 @@ def isometries_in_other_words():
 
 
 @disguise()
+def isometric_in_other_words():
+    """Another lift of the isometry of an octagon to its mirror image."""
+    document = comparison()
+    loop = document["images"][0]
+    turned = [loop + word + [(s + 4) % 8 for s in reversed(loop)] for word in document["images"]]
+    return with_(document, images=turned)
+
+
+@disguise()
+def different_though_isospectral():
+    """Two covers with the same closed geodesics, which cross otherwise; the other one comes first."""
+    document = comparison("sunada")
+    other = document["other_spectrum"]
+    first = {key: document[key] for key in ("net", "up_to", "geodesics", "clusters")}
+    document["other_spectrum"] = {**other, **first}
+    return {**document, **{key: other[key] for key in first}}
+
+
+@disguise()
 def pants_with_twists_by_lengths_more():
     """Twists plus five lengths, minus a thousand, and in an interval longer than the length."""
     rows = pants()["cuffs"]
@@ -4381,7 +4503,7 @@ GROUPS = {
     "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
     "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
     "collars": "Pseudo nets", "geodesics": "Closed geodesics", "eigenvalues": "Eigenvalues",
-    "isometries": "Isometries", "pants": "Pants decompositions",
+    "isometries": "Isometries", "comparisons": "Two surfaces", "pants": "Pants decompositions",
     "distances": "Distances", "bounds": "Diameter, radius, embedded disk", "disguises": "Disguises"}
 
 

@@ -274,8 +274,8 @@ TEST(Isometric, TheAnswerIsAFileThatIsVerified) {
   EXPECT_EQ(certify::check(yes.proof->document).verdict, certify::Verdict::verified);
 }
 
-TEST(Isometric, IsUndecidedWhereLengthsAgreeToAllDigits) {
-  // The surface nearest to matrices of 30 digits: lengths are enclosed to some 16 digits.
+TEST(Isometric, AreNotSurfacesWhoseLengthsAgreeToAllDigits) {
+  // The surface nearest to matrices of 30 digits: lengths are enclosed to some 16 digits, but crossings to more.
   const Surface octagon = random_octagon(3);
   MatrixGenerators matrices = parse_matrices(write_matrices(octagon));
   matrices.digits = 30;
@@ -287,9 +287,29 @@ TEST(Isometric, IsUndecidedWhereLengthsAgreeToAllDigits) {
   const MatrixSurface near = surface_of_matrices(matrices);
   ASSERT_FALSE(near.is_exact);
   const IsometricAnswer answer = isometric(octagon, near.surface);
-  EXPECT_EQ(answer.kind, Kind::undecided);
+  EXPECT_EQ(answer.kind, Kind::no);
   EXPECT_FALSE(answer.isometry);
-  EXPECT_NE(answer.reason.find("as many closed geodesics of the same lengths"), std::string::npos) << answer.reason;
+  EXPECT_NE(answer.reason.find("no isometry takes the points where closed geodesics"), std::string::npos)
+      << answer.reason;
+  ASSERT_TRUE(answer.near);
+  EXPECT_LT(answer.near->difference, 1e-25);
+}
+
+TEST(Isometric, SurfacesThatAreNearlySoHaveAMarkingThatHardlyChangesTraces) {
+  const Surface surface = pants("2", "0.125");
+  for (const char* twist : {"0.125001", "0.12500001"}) {
+    const Surface other = pants("2", twist);
+    const IsometricAnswer answer = isometric(surface, other);
+    EXPECT_EQ(answer.kind, Kind::no);
+    ASSERT_TRUE(answer.near);
+    const double moved = std::stod(twist) - 0.125;
+    EXPECT_GT(answer.near->difference, moved / 100);
+    EXPECT_LT(answer.near->difference, moved * 100);
+    EXPECT_EQ(answer.near->marking.images.size(), generator_words(surface).size());
+  }
+  EXPECT_FALSE(isometric(surface, pants("2", "0.5")).near);
+  EXPECT_FALSE(isometric(random_octagon(1), random_octagon(2)).near);
+  EXPECT_FALSE(isometric(surface, surface).near);
 }
 
 certify::GeodesicsDocument lengths(const std::vector<certify::Interval>& intervals, const std::string& up_to) {
