@@ -391,15 +391,4 @@ IsometricAnswer isometric(const Surface& first, const Surface& second, const Iso
   return answer;
 }
 
-std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions& options) {
-  std::vector<NamedAnswer> result;
-  for (std::string& name : names_of_genus(surface.genus())) {
-    IsometricAnswer answer = isometric(surface, named_surface(name), options);
-    const bool found = answer.kind == IsometricAnswer::Kind::yes;
-    result.push_back({std::move(name), std::move(answer)});
-    if (found) break;
-  }
-  return result;
-}
-
 }  // namespace epsnet
