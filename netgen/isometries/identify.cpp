@@ -41,18 +41,20 @@ bool is_verified(const certify::GeodesicsDocument& spectrum, const IsometryOptio
 
 /// As `isometric`, with any of the maps of a surface: with some the numbers may be too large to be compared. They are
 /// small if the tiles are the same.
-IsometricAnswer isometric_to_any(const Surface& surface, const std::vector<std::string>& names,
-                                 const IsometryOptions& options) {
-  std::vector<Surface> maps;
-  for (const std::string& name : names) maps.push_back(named_surface(name));
+NamedAnswer isometric_to_any(const Surface& surface, const std::vector<std::string>& names,
+                             const IsometryOptions& options) {
+  std::vector<std::pair<std::string, Surface>> maps;
+  for (const std::string& name : names) maps.emplace_back(name, named_surface(name));
   std::stable_partition(maps.begin(), maps.end(),
-                        [&](const Surface& map) { return map.regular_tile() == surface.regular_tile(); });
-  IsometricAnswer answer;
-  for (const Surface& map : maps) {
-    answer = isometric(surface, map, options);
-    if (answer.kind != IsometricAnswer::Kind::undecided || !answer.isometry) break;
+                        [&](const auto& map) { return map.second.regular_tile() == surface.regular_tile(); });
+  NamedAnswer result;
+  result.names = names;
+  for (const auto& [name, map] : maps) {
+    result.compared = name;
+    result.answer = isometric(surface, map, options);
+    if (result.answer.kind != IsometricAnswer::Kind::undecided || !result.answer.isometry) break;
   }
-  return answer;
+  return result;
 }
 
 }  // namespace
@@ -111,9 +113,8 @@ std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions&
   }
 
   std::vector<NamedAnswer> result;
-  for (KnownSurface& other : similar) {
-    IsometricAnswer answer = isometric_to_any(surface, other.names, options);
-    result.push_back({std::move(other.names), std::move(answer)});
+  for (const KnownSurface& other : similar) {
+    result.push_back(isometric_to_any(surface, other.names, options));
     if (result.back().answer.kind == IsometricAnswer::Kind::yes) return result;
   }
   const bool verified = others.empty() || is_verified(systoles, options);
@@ -129,7 +130,8 @@ std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions&
     } else {
       answer.reason += "; but certify does not verify these lists";
     }
-    result.push_back({std::move(others[i].names), std::move(answer)});
+    std::string compared = others[i].names.front();
+    result.push_back({std::move(others[i].names), std::move(compared), std::move(answer)});
   }
   return result;
 }

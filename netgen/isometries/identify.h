@@ -12,7 +12,8 @@ namespace epsnet {
 /// A surface that has names, and whether it is isometric to a given one.
 struct NamedAnswer {
   std::vector<std::string> names;  ///< For named_surface; the first one is the one to say.
-  IsometricAnswer answer;          ///< From the given surface to the named one.
+  std::string compared;            ///< The one of them with which the surface was compared at last.
+  IsometricAnswer answer;          ///< From the given surface to named_surface(compared).
 };
 
 /// Returns the names of the known surfaces of a genus, those of each surface together: names_of_genus, then those of

@@ -222,7 +222,7 @@ void identify_surface(const IsometriesRequest& request) {
   report.json["name"] = nullptr;
   report.json["names"] = Json::array();
   report.json["compared"] = Json::array();
-  for (const auto& [names, answer] : answers) {
+  for (const auto& [names, compared, answer] : answers) {
     const std::string& name = names.front();
     report.json["compared"].push_back(
         Json::object({{"name", name}, {"names", names}, {"isometric", answer_text(answer.kind)}}));
@@ -232,19 +232,20 @@ void identify_surface(const IsometriesRequest& request) {
     report.json["name"] = name;
     report.json["names"] = names;
     report.json["words"] = words;
+    report.json["to"] = compared;
     report.json["isometry"] = isometry_json(*answer.isometry);
     out << "name: " << name << '\n';
     if (names.size() > 1) out << "also:";
     for (std::size_t i = 1; i < names.size(); ++i) out << ' ' << names[i];
     if (names.size() > 1) out << '\n';
     out << "about: " << named_surface(name).about().substr(name.size() + 2) << "\n";
-    out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
+    out << "isometry to " << compared << ": " << orientation_text(answer.isometry->preserves_orientation) << '\n';
     write_images(out, words, *answer.isometry);
     out << "decided by this program, with exact numbers\n";
   }
   if (report.json["name"].is_null()) {
     out << "name: none that is known\n";
-    for (const auto& [names, answer] : answers) {
+    for (const auto& [names, compared, answer] : answers) {
       out << "isometric to " << names.front() << ": " << answer_text(answer.kind) << ": " << answer.reason << '\n';
     }
     undecided = undecided.empty() ? "" : "undecided: whether it is " + undecided;

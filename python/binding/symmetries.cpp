@@ -60,7 +60,7 @@ void bind_isometries(py::module_& module) {
         [=](const Progress& progress) { return identify(surface, {.threads = threads, .progress = progress}); },
         callback);
     std::vector<std::string> undecided;
-    for (const auto& [names, answer] : answers) {
+    for (const auto& [names, compared, answer] : answers) {
       if (answer.kind == Kind::yes) return std::pair(names, std::vector<std::string>());
       if (answer.kind == Kind::undecided) undecided.push_back(names.front());
     }

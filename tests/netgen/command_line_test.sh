@@ -111,6 +111,7 @@ says '^isometric: yes$'
 good identify octagons-map.json
 says '^name: bolza$'
 says '^also: R2.1 R2.3 R2.6$'
+says '^isometry to bolza: preserves orientation$'
 good identify octagons-map.json --json
 says '"name":"bolza","names":\["bolza","R2.1","R2.3","R2.6"\],'
 good identify s.json

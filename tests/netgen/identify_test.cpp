@@ -89,8 +89,6 @@ Surface bolza_over_a_field() {
       .surface;
 }
 
-const std::vector<std::string> kNames{"bolza", "klein", "fermat-quartic", "bring", "wiman-3", "accola-maclachlan-4"};
-
 void expect_recognized(const std::string& name, int count) {
   std::mt19937 random(1);
   const Surface surface = named_surface(name);
@@ -116,13 +114,22 @@ TEST(Identify, FindsAllNames) {
   EXPECT_EQ(names_of(named_surface("wiman-11")), (Names{"wiman-11"}));
 }
 
-TEST(Identify, IsTheIsometryToTheFirstName) {
+TEST(Identify, FindsAnIsometry) {
   const Surface surface = bolza_over_a_field();
   const std::vector<NamedAnswer> answers = identify(surface);
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(answers[0].names.front(), "bolza");
+  EXPECT_EQ(answers[0].compared, "bolza");
   ASSERT_TRUE(answers[0].answer.isometry);
   EXPECT_EQ(answers[0].answer.isometry->images.size(), generator_words(surface).size());
+}
+
+/// The numbers of maps {4, 22} and {22, 22} are in no common field of degree 64.
+TEST(Identify, ComparesWithTheMapOfTheSameTiles) {
+  const std::vector<NamedAnswer> answers = identify(named_surface("R10.23"));
+  EXPECT_EQ(answers.back().names, (Names{"accola-maclachlan-10", "R10.11", "R10.23"}));
+  EXPECT_EQ(answers.back().compared, "R10.23");
+  EXPECT_EQ(answers.back().answer.kind, Kind::yes);
 }
 
 TEST(Identify, ProvesThatASurfaceIsNoneOfThem) {
@@ -152,14 +159,19 @@ TEST(Identify, RecognizesAllRegularMapsOfSmallGenus) {
   }
 }
 
-TEST(Identify, RecognizesRandomPresentations) {
-  for (const std::string& name : kNames) expect_recognized(name, 2);
-}
+class RandomPresentations : public ::testing::TestWithParam<const char*> {};
 
-TEST(DeepIdentify, RecognizesAHundredRandomPresentations) {
-  for (const std::string& name : kNames) expect_recognized(name, 100);
-  expect_recognized("fricke-macbeath", 100);
-}
+TEST_P(RandomPresentations, AreRecognized) { expect_recognized(GetParam(), 2); }
+INSTANTIATE_TEST_SUITE_P(Identify, RandomPresentations,
+                         ::testing::Values("bolza", "klein", "fermat-quartic", "bring", "wiman-3",
+                                           "accola-maclachlan-4"));
+
+class AHundredRandomPresentations : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(AHundredRandomPresentations, AreRecognized) { expect_recognized(GetParam(), 100); }
+INSTANTIATE_TEST_SUITE_P(DeepIdentify, AHundredRandomPresentations,
+                         ::testing::Values("bolza", "klein", "fermat-quartic", "bring", "fricke-macbeath", "wiman-3",
+                                           "accola-maclachlan-4"));
 
 TEST(DeepIdentify, RecognizesDehnTwistsOverANumberField) {
   std::mt19937 random(2);
