@@ -181,4 +181,18 @@ std::optional<std::string> certain_difference(const certify::GeodesicsDocument& 
   return found ? found : certainly_more(of_second, "the second surface", of_first, "the first one", first.up_to);
 }
 
+std::optional<Certified<certify::ComparisonDocument>> proved_difference(const certify::GeodesicsDocument& first,
+                                                                        const certify::GeodesicsDocument& other,
+                                                                        unsigned threads, const Progress& progress) {
+  certify::ComparisonDocument document;
+  document.relation = certify::ComparisonDocument::Relation::different;
+  static_cast<certify::GeodesicsDocument&>(document) = first;
+  document.other = other;
+  try {
+    return proved(std::move(document), threads, progress);
+  } catch (const NotCertifiedError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace epsnet

@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "certify/claims/comparison/document.h"
 #include "certify/claims/geodesics/document.h"
+#include "netgen/base/options.h"
+#include "netgen/prove/certified.h"
 #include "triangulation/surface/surface.h"
 
 /// What isometries preserve: the homology of a surface, and the lengths of its closed geodesics.
@@ -57,5 +60,11 @@ class HomologyMap {
 /// Requires: spectra. The statement follows from them (docs/isometries.md); they are not checked here. O(n log n).
 [[nodiscard]] std::optional<std::string> certain_difference(const certify::GeodesicsDocument& first,
                                                             const certify::GeodesicsDocument& second);
+
+/// That the surfaces of two spectra are not isometric, proved by these; nothing, if certify does not verify it. Time is
+/// that of both certificates, and that of comparing where closed geodesics cross, if their numbers do not differ.
+[[nodiscard]] std::optional<Certified<certify::ComparisonDocument>> proved_difference(
+    const certify::GeodesicsDocument& first, const certify::GeodesicsDocument& other, unsigned threads,
+    const Progress& progress = {});
 
 }  // namespace epsnet

@@ -407,40 +407,18 @@ IsometryGroup isometries(const Surface& surface, const IsometryOptions& options)
 
 namespace {
 
-/// A document with its proof; nothing, if it is not verified.
-std::optional<Certified<certify::ComparisonDocument>> proved_if_possible(certify::ComparisonDocument document,
-                                                                         const IsometryOptions& options) {
-  try {
-    return proved(std::move(document), options.threads, options.progress);
-  } catch (const NotCertifiedError&) {
-    return std::nullopt;
-  }
-}
-
 /// Proves the isometry that was found, which may decide whether it is one.
 void prove_isometry(const Surface& first, const Surface& second, std::vector<certify::GeodesicsDocument> spectra,
                     const IsometryOptions& options, IsometricAnswer& answer) {
-  answer.proof = proved_if_possible(
-      isometry_document(first, second, *answer.isometry, std::move(spectra[0].net), std::move(spectra[1].net)),
-      options);
-  if (!answer.proof) return;
+  try {
+    answer.proof =
+        proved(isometry_document(first, second, *answer.isometry, std::move(spectra[0].net), std::move(spectra[1].net)),
+               options.threads, options.progress);
+  } catch (const NotCertifiedError&) {
+    return;
+  }
   answer.kind = IsometricAnswer::Kind::yes;
   answer.reason.clear();
-}
-
-/// Proves that the surfaces are different, by these lists, for the reason given or for one that certify finds. Returns
-/// whether it does.
-bool prove_difference(const std::vector<certify::GeodesicsDocument>& spectra, const std::optional<std::string>& reason,
-                      const IsometryOptions& options, IsometricAnswer& answer) {
-  certify::ComparisonDocument document;
-  document.relation = certify::ComparisonDocument::Relation::different;
-  static_cast<certify::GeodesicsDocument&>(document) = spectra[0];
-  document.other = spectra[1];
-  answer.proof = proved_if_possible(std::move(document), options);
-  if (!answer.proof) return false;
-  answer.kind = IsometricAnswer::Kind::no;
-  answer.reason = reason.value_or(answer.proof->certificate.rules.back().text);
-  return true;
 }
 
 }  // namespace
@@ -470,7 +448,12 @@ IsometricAnswer isometric(const Surface& first, const Surface& second, const Iso
       return answer;
     }
     if (!genera_differ && tries == 1) answer.near = near_isometry(first, second, spectra, options);
-    if (prove_difference(spectra, difference, options, answer)) return answer;
+    answer.proof = proved_difference(spectra[0], spectra[1], options.threads, options.progress);
+    if (answer.proof) {
+      answer.kind = IsometricAnswer::Kind::no;
+      answer.reason = difference.value_or(answer.proof->certificate.rules.back().text);
+      return answer;
+    }
     if (difference) {
       answer.reason = *difference + "; but certify does not verify this";
       return answer;
@@ -483,17 +466,6 @@ IsometricAnswer isometric(const Surface& first, const Surface& second, const Iso
       "their product, and extend to the group; but there are as many closed geodesics of the same lengths up to " +
       length.text() + ", which perhaps cross in the same way";
   return answer;
-}
-
-std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions& options) {
-  std::vector<NamedAnswer> result;
-  for (std::string& name : names_of_genus(surface.genus())) {
-    IsometricAnswer answer = isometric(surface, named_surface(name), options);
-    const bool found = answer.kind == IsometricAnswer::Kind::yes;
-    result.push_back({std::move(name), std::move(answer)});
-    if (found) break;
-  }
-  return result;
 }
 
 }  // namespace epsnet

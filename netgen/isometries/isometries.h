@@ -147,14 +147,4 @@ struct IsometricAnswer {
 [[nodiscard]] IsometricAnswer isometric(const Surface& first, const Surface& second,
                                         const IsometryOptions& options = {});
 
-/// A named surface of the genus of a given one, and whether it is isometric to that.
-struct NamedAnswer {
-  std::string name;
-  IsometricAnswer answer;  ///< From the given surface to the named one.
-};
-
-/// Compares a surface with the named ones of its genus (names_of_genus), up to the first to which it is isometric,
-/// which is then the last of the list. Throws as `isometric`, whose time it takes for each of them.
-[[nodiscard]] std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions& options = {});
-
 }  // namespace epsnet

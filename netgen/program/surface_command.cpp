@@ -18,6 +18,7 @@
 #include "netgen/program/output.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/regular_maps.h"
 #include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::program {
@@ -422,6 +423,7 @@ void list_named_surfaces() {
     for (const NamedSurface& surface : named_surfaces()) {
       out << surface.name << "\n  " << surface.description << "\n  " << surface.source << ".\n";
     }
+    for (const RegularMap& map : regular_maps()) out << map.name << "\n  " << description(map) << '\n';
   });
 }
 
@@ -443,18 +445,19 @@ void make_named(const NamedRequest& request) {
 void add_named(CLI::App& surface, Job& chosen) {
   const auto request = std::make_shared<NamedRequest>();
   CLI::App* command = surface.add_subcommand(
-      "named",
-      "A surface that has a name, such as Klein's quartic: regular tiles, exactly, most of them regular maps.");
+      "named", "A surface that has a name, such as Klein's quartic or the regular map R2.1: regular tiles, exactly.");
   CLI::Option* name =
       command->add_option("NAME", request->name, "a name of --list, a number in place of G")->option_text(" ");
   command->add_option("--genus", request->genus, "of a family: wiman --genus 7 is wiman-7")
       ->check(integer_between(2, 1000))
       ->option_text("G");
-  command->add_flag("--list", request->list, "print all names, with a sentence and a source for each")->excludes(name);
+  command->add_flag("--list", request->list, "print all names, with a sentence for each, and a source")->excludes(name);
   add_file(*command, "-o,--output", request->output,
            "the surface file to write, needed with NAME; \"-\" is standard output");
   add_json(*command, request->json);
-  command->footer("Example:\n  epsnet surface named klein -o klein.json\n  epsnet surface named wiman-7 -o wiman.json");
+  command->footer(
+      "Example:\n  epsnet surface named klein -o klein.json\n  epsnet surface named wiman-7 -o wiman.json\n"
+      "  epsnet surface named R4.2 -o bring.json");
   set_work(*command, chosen, request, make_named);
 }
 

@@ -11,6 +11,7 @@
 #include "certify/base/text.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
+#include "netgen/isometries/identify.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
@@ -247,25 +248,35 @@ void identify_surface(const IsometriesRequest& request) {
   std::ostringstream out;
   std::string undecided;
   report.json["name"] = nullptr;
+  report.json["names"] = Json::array();
   report.json["compared"] = Json::array();
-  for (const auto& [name, answer] : answers) {
-    report.json["compared"].push_back(Json::object({{"name", name}, {"isometric", answer_text(answer.kind)}}));
+  for (const auto& [names, compared, answer] : answers) {
+    const std::string& name = names.front();
+    report.json["compared"].push_back(
+        Json::object({{"name", name}, {"names", names}, {"isometric", answer_text(answer.kind)}}));
     if (answer.kind == IsometricAnswer::Kind::undecided) undecided += (undecided.empty() ? "" : ", ") + name;
     if (answer.kind != IsometricAnswer::Kind::yes) continue;
     const std::vector<Word> words = generator_words(surface);
     report.json["name"] = name;
+    report.json["names"] = names;
     report.json["words"] = words;
+    report.json["to"] = compared;
     report.json["isometry"] = isometry_json(*answer.isometry);
-    out << "name: " << name << "\nabout: " << named_surface(name).about().substr(name.size() + 2) << "\n";
-    out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
+    out << "name: " << name << '\n';
+    if (names.size() > 1) out << "also:";
+    for (std::size_t i = 1; i < names.size(); ++i) out << ' ' << names[i];
+    if (names.size() > 1) out << '\n';
+    out << "about: " << named_surface(name).about().substr(name.size() + 2) << "\n";
+    out << "isometry to " << compared << ": " << orientation_text(answer.isometry->preserves_orientation) << '\n';
     write_images(out, words, *answer.isometry);
     if (answer.proof) out << "verdict: " << certify::verdict_line(answer.proof->certificate) << '\n';
   }
   if (report.json["name"].is_null()) {
     out << "name: none that is known\n";
-    for (const auto& [name, answer] : answers)
-      out << "isometric to " << name << ": " << answer_text(answer.kind) << ": " << answer.reason << '\n'
-          << (answer.near ? near_text(*answer.near) + '\n' : "");
+    for (const auto& [names, compared, answer] : answers) {
+      out << "isometric to " << names.front() << ": " << answer_text(answer.kind) << ": " << answer.reason << '\n';
+      if (answer.near) out << near_text(*answer.near) << '\n';
+    }
     undecided = undecided.empty() ? "" : "undecided: whether it is " + undecided;
   } else {
     undecided.clear();
@@ -280,13 +291,15 @@ void identify_surface(const IsometriesRequest& request) {
 void add_identify_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<IsometriesRequest>();
   CLI::App* command = app.add_subcommand(
-      "identify", "The name of a surface: to which of the named surfaces of its genus it is isometric.");
+      "identify",
+      "The names of a surface: to which of the named surfaces and regular maps of its genus it is isometric.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "\"epsnet surface named --list\" lists the names. Each is compared as by \"epsnet isometric\", and the "
-      "first that is isometric is the answer; many surfaces have no name.\n"
+      "\"epsnet surface named --list\" lists the names, among them all regular maps of genus 2 to 10. A surface with "
+      "systoles of another length or number is another one; others are compared as by \"epsnet isometric\". Most "
+      "surfaces have no name.\n"
       "Exit code 2: undecided, as it is isometric to none of which that could be decided.\n\n"
       "Example:\n  epsnet surface matrices klein.txt -o s.json\n  epsnet identify s.json");
   command->callback([&chosen, shared] { chosen = [shared] { identify_surface(*shared); }; });

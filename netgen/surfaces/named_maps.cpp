@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "certify/file/json.h"
+#include "netgen/surfaces/regular_maps.h"
 #include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
@@ -311,6 +312,13 @@ DartMap parse_map(const std::string& text) {
 std::span<const NamedSurface> named_surfaces() { return facts(); }
 
 Surface named_surface(const std::string& name, std::optional<std::uint32_t> genus) {
+  const auto with_genus = [&](Surface surface, const std::string& about) {
+    if (genus && *genus != surface.genus()) {
+      throw SurfaceError(name + " has genus " + std::to_string(surface.genus()) + ", not " + std::to_string(*genus));
+    }
+    surface.set_about(name + ": " + about);
+    return surface;
+  };
   for (const Named& named : kNamed) {
     const std::string family = named.of_genus == nullptr ? "" : without_genus(named.facts.name);
     if (named.of_genus != nullptr && name == family) {
@@ -324,14 +332,13 @@ Surface named_surface(const std::string& name, std::optional<std::uint32_t> genu
     if (named.of_genus != nullptr) {
       if (const auto number = genus_in(name, named.facts.name)) surface = member(named, *number);
     }
-    if (!surface) continue;
-    if (genus && *genus != surface->genus()) {
-      throw SurfaceError(name + " has genus " + std::to_string(surface->genus()) + ", not " + std::to_string(*genus));
-    }
-    surface->set_about(name + ": " + std::string(named.facts.description));
-    return *surface;
+    if (surface) return with_genus(*std::move(surface), std::string(named.facts.description));
   }
-  throw SurfaceError("there is no surface \"" + name + "\", expected " + all_names() + ", with a genus for G");
+  for (const RegularMap& map : regular_maps()) {
+    if (map.name == name) return with_genus(surface_of_map(darts(map)), description(map));
+  }
+  throw SurfaceError("there is no surface \"" + name + "\", expected " + all_names() +
+                     ", with a genus for G, or a regular map such as R2.1");
 }
 
 std::vector<std::string> names_of_genus(std::uint32_t genus) {

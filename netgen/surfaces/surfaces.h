@@ -79,6 +79,7 @@ class MapError : public SurfaceError {
 struct DartMap {
   Permutation rotation;  ///< To the next dart around the face, counterclockwise.
   Permutation edges;     ///< To the dart on the other side of the edge.
+  bool operator==(const DartMap&) const = default;
 };
 
 /// Returns the surface on which all faces of a map are regular and all angles around vertices equal. Face 0 is that of
@@ -101,9 +102,10 @@ struct NamedSurface {
 /// All surfaces that have names.
 [[nodiscard]] std::span<const NamedSurface> named_surfaces();
 
-/// Returns the surface of a name, such as "klein" or "wiman-7"; `about` says which it is. Throws SurfaceError if there
-/// is none of that name, or if its genus is out of range: 2 to 1000 in the families. A
-/// family's name alone, "wiman", needs the genus; with another name it must be that of the surface.
+/// Returns the surface of a name, such as "klein" or "wiman-7", or of the name of a regular map, such as "R2.1"
+/// (netgen/surfaces/regular_maps.h); `about` says which it is. Throws SurfaceError if there is none of that name, or if
+/// its genus is out of range: 2 to 1000 in the families. A family's name alone, "wiman", needs the genus; with another
+/// name it must be that of the surface.
 [[nodiscard]] Surface named_surface(const std::string& name, std::optional<std::uint32_t> genus = {});
 
 /// Returns the names of surfaces of a genus, in the order of named_surfaces, of families with the genus: "klein",

@@ -8,6 +8,7 @@
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/regular_maps.h"
 #include "python/binding/binding.h"
 #include "python/binding/job.h"
 #include "triangulation/surface/surface.h"
@@ -84,6 +85,7 @@ void bind_kinds(SurfaceClass& bound) {
                     for (const NamedSurface& surface : named_surfaces()) {
                       result.emplace_back(surface.name, surface.description);
                     }
+                    for (const RegularMap& map : regular_maps()) result.emplace_back(map.name, description(map));
                     return result;
                   })
       .def_static(

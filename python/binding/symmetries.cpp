@@ -1,6 +1,7 @@
 
 
 #include "netgen/base/gmp.h"
+#include "netgen/isometries/identify.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
@@ -71,11 +72,11 @@ void bind_isometries(py::module_& module) {
         [=](const Progress& progress) { return identify(surface, {.threads = threads, .progress = progress}); },
         callback);
     std::vector<std::string> undecided;
-    for (const auto& [name, answer] : answers) {
-      if (answer.kind == Kind::yes) return std::tuple(std::optional(name), std::vector<std::string>());
-      if (answer.kind == Kind::undecided) undecided.push_back(name);
+    for (const auto& [names, compared, answer] : answers) {
+      if (answer.kind == Kind::yes) return std::pair(names, std::vector<std::string>());
+      if (answer.kind == Kind::undecided) undecided.push_back(names.front());
     }
-    return std::tuple(std::optional<std::string>(), std::move(undecided));
+    return std::pair(std::vector<std::string>(), std::move(undecided));
   });
 }
 

@@ -122,7 +122,7 @@ class Surface(Drawn, Immutable):
 
     @classmethod
     def named(cls, name: str, genus: Optional[int] = None) -> "Surface":
-        """A surface that has a name, exactly: those of ``Surface.names()``, such as ``"klein"`` or ``"wiman-7"``, also as ``"wiman", 7``.
+        """A surface that has a name, exactly: those of ``Surface.names()``, such as ``"klein"``, ``"R3.1"`` or ``"wiman-7"``, also as ``"wiman", 7``.
 
         >>> import epsnet
         >>> epsnet.Surface.named("klein")
@@ -137,11 +137,13 @@ class Surface(Drawn, Immutable):
 
     @classmethod
     def names(cls) -> dict[str, str]:
-        """What ``named`` knows: a sentence for each name. A G in a name stands for a genus.
+        """What ``named`` knows: a sentence for each name. A G in a name stands for a genus. Names such as R2.1 are those of regular maps.
 
         >>> import epsnet
-        >>> sorted(epsnet.Surface.names())
-        ['accola-maclachlan-G', 'bolza', 'bring', 'fermat-quartic', 'fricke-macbeath', 'klein', 'wiman-G']
+        >>> list(epsnet.Surface.names())[:9]
+        ['bolza', 'klein', 'fermat-quartic', 'bring', 'fricke-macbeath', 'wiman-G', 'accola-maclachlan-G', 'R2.1', 'R2.2']
+        >>> epsnet.Surface.names()["R3.1"]
+        'A regular map {3, 7} of genus 3 with 168 rotations and as many reflections.'
         """
         return dict(_epsnet.Surface.names())
 
@@ -670,13 +672,13 @@ class Surface(Drawn, Immutable):
         """
         return comparison(self, other, threads, progress)
 
-    def identify(self, *, threads: int = 0, progress: Progress = None) -> Optional[str]:
-        """The name of the named surface (``Surface.named``) to which it is isometric, decided exactly; None if it is isometric to none of its genus.
-        UndecidedError if that is undecided for some.
+    def identify(self, *, threads: int = 0, progress: Progress = None) -> list[str]:
+        """All names (``Surface.names``) of the known surface to which it is isometric, decided exactly; none if it is isometric to none of its genus.
+        The first is the one to say; those of regular maps follow, that with the most rotations first. UndecidedError if that is undecided for some.
 
         >>> import epsnet
         >>> epsnet.Surface.regular(2).identify(), epsnet.Surface.octagon(1).identify()
-        ('bolza', None)
+        (['bolza', 'R2.1', 'R2.3', 'R2.6'], [])
         """
         return identify(self, threads, progress)
 

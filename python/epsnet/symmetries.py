@@ -278,10 +278,10 @@ def comparison(surface: "Surface", other: "Surface", threads: int, progress: Pro
     return proof
 
 
-def identify(surface: "Surface", threads: int, progress: Progress) -> Optional[str]:
+def identify(surface: "Surface", threads: int, progress: Progress) -> list[str]:
     threads = as_threads(threads)
     with Shower(progress) as callback:
-        name, undecided = _epsnet.identify(surface._core, threads, callback)
-    if name is None and undecided:
+        names, undecided = _epsnet.identify(surface._core, threads, callback)
+    if not names and undecided:
         raise UndecidedError("whether it is " + ", ".join(undecided))
-    return name
+    return names

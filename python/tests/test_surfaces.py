@@ -89,6 +89,9 @@ def test_named_surfaces_and_maps():
     assert (klein.genus, len(klein.tiles), klein.is_regular) == (3, 24, True)
     assert pickle.loads(pickle.dumps(klein)) == klein
     assert Surface.named("wiman-2") != Surface.regular(2) == Surface.named("bolza")
+    assert Surface.named("R2.6", 2).identify() == Surface.named("bolza").identify() == ["bolza", "R2.1", "R2.3", "R2.6"]
+    with pytest.raises(epsnet.SurfaceError, match='there is no surface "R2.7"'):
+        Surface.named("R2.7")
     with pytest.raises(epsnet.SurfaceError, match="edges: dart 0 is its own image"):
         Surface.map([1, 2, 0], [0, 2, 1])
     systole = klein.systole()

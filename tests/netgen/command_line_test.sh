@@ -113,6 +113,10 @@ says '^verdict: VERIFIED$'
 verified same.json
 good identify octagons-map.json
 says '^name: bolza$'
+says '^also: R2.1 R2.3 R2.6$'
+says '^isometry to bolza: preserves orientation$'
+good identify octagons-map.json --json
+says '"name":"bolza","names":\["bolza","R2.1","R2.3","R2.6"\],'
 good identify s.json
 says '^name: none that is known$'
 good distance s.json 0,0.1,-1/3 0 -o distance.json
@@ -400,6 +404,7 @@ bad 1 '^epsnet: modular.txt: the group has torsion: the element b is elliptic, o
 bad 64 'model is for --format matrices' export s.json --format domain --model su11 -o out/x.txt
 good surface named --list
 says '^fricke-macbeath$'
+says '^R10.1$'
 good surface named klein -o klein.json --json
 says '"genus":3,.*"type":\[7,3\],"regular":true,'
 good net klein.json --epsilon 0.5 -o klein-net.json
@@ -418,6 +423,10 @@ good surface regular --genus 2 -o regular.json
 cmp from-map.json regular.json || complain 'surface map: the regular octagon is another file'
 bad 64 'there is no surface "nobody", expected bolza, klein,' surface named nobody -o out/x.json
 bad 64 'genus of wiman-G must be at least 2' surface named wiman-1 -o out/x.json
+good surface named R3.1 -o r.json
+good isometric r.json klein.json
+says '^isometric: yes$'
+bad 64 'there is no surface "R2.7", expected bolza, .*, or a regular map such as R2.1' surface named R2.7 -o out/x.json
 bad 64 'expected NAME or --list' surface named -o out/x.json
 bad 64 'output' surface named klein
 bad 64 'excludes' surface named klein --list

@@ -362,19 +362,6 @@ TEST(Isometric, AreMapsOfTheSameType) {
 // The Bolza surface as a map of type {8, 3}, by two generators of GL(2,3) as they permute the vectors other than 0.
 Surface bolza_of_octagons() { return surface_of_map(map_of_group({3, 7, 0, 4, 5, 1, 2, 6}, {2, 5, 0, 3, 6, 1, 4, 7})); }
 
-TEST(Identify, NamesASurfaceByTheFirstNamedOneToWhichItIsIsometric) {
-  EXPECT_EQ(names_of_genus(3), (std::vector<std::string>{"klein", "fermat-quartic", "wiman-3", "accola-maclachlan-3"}));
-  const std::vector<NamedAnswer> bolza = identify(bolza_of_octagons());
-  ASSERT_FALSE(bolza.empty());
-  EXPECT_EQ(bolza.back().name, "bolza");
-  EXPECT_EQ(bolza.back().answer.kind, Kind::yes);
-  const std::vector<NamedAnswer> wiman = identify(named_surface("wiman-3"));
-  ASSERT_EQ(wiman.size(), 3U);
-  EXPECT_EQ(wiman[2].answer.kind, Kind::yes);
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(wiman[i].answer.kind, Kind::no);
-  for (const NamedAnswer& other : identify(random_octagon(5))) EXPECT_EQ(other.answer.kind, Kind::no) << other.name;
-}
-
 TEST(Isometric, AreSurfacesWhoseNumbersAreOfDifferentKinds) {
   EXPECT_EQ(isometries(bolza_of_octagons()).size(), 96U);
   const std::vector<Surface> bolza{
