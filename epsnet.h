@@ -29,6 +29,4 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
-#include "triangulation/surface/error.h"
-#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"

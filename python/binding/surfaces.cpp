@@ -9,7 +9,6 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "python/binding/binding.h"
-#include "python/binding/job.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet::python {
