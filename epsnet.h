@@ -31,6 +31,4 @@
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/regular_maps.h"
 #include "netgen/surfaces/surfaces.h"
-#include "triangulation/surface/error.h"
-#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"

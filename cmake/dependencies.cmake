@@ -55,7 +55,7 @@ if(NOT epsnet_is_shared)
 
   set(packages Threads TBB)
   if(EMSCRIPTEN)
-    set(packages Threads)  # One thread: netgen/nets/pipeline.h.
+    set(packages Threads)  # One thread: netgen/nets/parts.cpp.
   endif()
   foreach(package ${packages})
     find_package(${package} QUIET)

@@ -1,4 +1,4 @@
-# cmake -DFILE=F -DNAME=N -DHEADER=H -DOUTPUT=C -P embed.cmake: writes the source C, which defines epsnet::N, declared in H, as the text of F.
+# cmake -DFILE=F -DNAME=N -DOUTPUT=C -P embed.cmake: writes the source C, which defines the string_view epsnet::N as the text of F.
 # In this text @name@ alone in a line stands for the file of this name in the folder of F.
 get_filename_component(folder ${FILE} DIRECTORY)
 file(READ ${FILE} text)
@@ -8,4 +8,4 @@ foreach(mark IN LISTS marks)
   file(READ ${folder}/${name} part)
   string(REPLACE "${mark}" "\n${part}" text "${text}")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\nnamespace epsnet {\nconst std::string_view ${NAME} = R\"embedded(${text})embedded\";\n}\n")
+file(WRITE ${OUTPUT} "#include <string_view>\n\nnamespace epsnet {\nextern const std::string_view ${NAME};\nconst std::string_view ${NAME} = R\"embedded(${text})embedded\";\n}\n")

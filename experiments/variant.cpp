@@ -18,7 +18,6 @@
 #include "certify/check.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/nets/variants.h"
 #include "netgen/surfaces/surfaces.h"
 
 /// The program `variant`: makes nets of a surface in one of the ways that the thesis compares, proves each by the rules

@@ -10,7 +10,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/variants.h"
+#include "netgen/nets/refine.h"
 
 /// Shared by the fuzz targets that make surfaces from bytes, and nets of these surfaces.
 namespace fuzz {

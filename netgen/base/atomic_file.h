@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

@@ -15,8 +15,7 @@
 #include "netgen/distances/vertex_triangulation.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/nets/net_document.h"
-#include "netgen/nets/start.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/prove/certified.h"
 
 namespace epsnet {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "certify/net/numbering.h"
-#include "netgen/nets/net_document.h"
+#include "netgen/nets/triangulations.h"
 
 namespace epsnet {
 namespace {

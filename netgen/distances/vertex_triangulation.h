@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/lorentz.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "netgen/distances/vertex_triangulation.h"
 #include "triangulation/mesh/triangulation.h"
 

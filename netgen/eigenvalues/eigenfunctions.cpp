@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "kernel/lorentz.h"
+#include "kernel/plane.h"
 
 namespace epsnet {
 namespace {

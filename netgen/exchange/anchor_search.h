@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "netgen/exchange/text_formats.h"
-#include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/exact_polygons.h"
 
 namespace epsnet {
 

@@ -8,7 +8,6 @@
 #include "certify/net/document.h"
 #include "netgen/base/options.h"
 #include "netgen/lifts/lifts.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 /// Surfaces and nets in the text formats of other programs (docs/exchange-formats.md): CGAL's, exactly, in and out;

@@ -19,11 +19,10 @@
 #include "netgen/exchange/anchor_search.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/surfaces/surfaces.h"
-#include "triangulation/surface/glued_polygons.h"
+#include "triangulation/surface/exact_polygons.h"
 
 /// Surfaces and nets as triangulations given by cross-ratios.
 namespace epsnet {
-
 namespace {
 
 constexpr std::size_t kManySides = 256;

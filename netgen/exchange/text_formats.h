@@ -20,7 +20,7 @@
 #include "kernel/numbers.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"
-#include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/exact_polygons.h"
 #include "triangulation/surface/surface.h"
 
 /// CGAL's text formats for closed hyperbolic surfaces (docs/exchange-formats.md): fundamental polygons, the "domain

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/lorentz.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "certify/claims/geodesics/document.h"
-#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "triangulation/mesh/triangulation.h"
 

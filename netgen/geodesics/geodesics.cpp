@@ -17,8 +17,8 @@
 #include "netgen/geodesics/axis_catalogue.h"
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/surfaces/exact_isometries.h"
 
 namespace epsnet {

@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "certify/numbers/exact.h"
-#include "kernel/lorentz.h"
+#include "kernel/plane.h"
 #include "netgen/surfaces/exact_isometries.h"
-#include "netgen/surfaces/field_numbers.h"
-#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/number_field.h"
 #include "netgen/surfaces/triangle_group.h"
-#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 namespace {

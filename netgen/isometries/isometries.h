@@ -13,7 +13,6 @@
 #include "netgen/base/options.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/surfaces.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 /// The isometries of a surface, and from one surface to another. docs/isometries.md says how and why.

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 namespace {

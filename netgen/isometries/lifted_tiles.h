@@ -4,7 +4,6 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "triangulation/surface/surface.h"
 

@@ -12,7 +12,7 @@
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/refine.h"
-#include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/exact_isometries.h"
 
 namespace epsnet {
 namespace {

@@ -15,14 +15,12 @@
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/net/numbering.h"
-#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/nets/net_document.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/surfaces/surfaces.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
-#include "triangulation/surface/points.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {

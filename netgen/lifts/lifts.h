@@ -12,7 +12,6 @@
 #include "certify/net/document.h"
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet::certify {

@@ -8,10 +8,9 @@
 
 #include "certify/check.h"
 #include "netgen/nets/collars.h"
-#include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/sparse.h"
-#include "netgen/nets/start.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/prove/certified.h"
 
 namespace epsnet {

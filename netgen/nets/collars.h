@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "certify/net/document.h"
-#include "kernel/lorentz.h"
 #include "kernel/numbers.h"
+#include "kernel/plane.h"
 #include "netgen/base/options.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"

@@ -12,10 +12,9 @@
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/net_document.h"
-#include "netgen/nets/start.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/prove/certified.h"
-#include "triangulation/surface/points.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 namespace {

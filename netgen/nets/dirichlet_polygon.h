@@ -9,7 +9,6 @@
 #include "certify/net/document.h"
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 /// Dirichlet domains: exact as combinatorial objects, and as numbers.

@@ -12,11 +12,10 @@
 
 #include "kernel/numbers.h"
 #include "netgen/nets/parts.h"
-#include "netgen/nets/start.h"
-#include "netgen/nets/triangle_list.h"
-#include "triangulation/mesh/editor.h"
+#include "netgen/nets/triangulations.h"
 #include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/operations.h"
+#include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/atlas.h"
 
 namespace epsnet {

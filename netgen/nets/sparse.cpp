@@ -15,8 +15,8 @@
 
 #include "kernel/predicates.h"
 #include "netgen/nets/refine.h"
-#include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/variants.h"
+#include "netgen/nets/refine.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -9,9 +9,9 @@
 #include "netgen/base/gmp.h"
 #include "netgen/pants/curve_system.h"
 #include "netgen/pants/pants.h"
-#include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/exact_isometries.h"
 #include "netgen/surfaces/group.h"
-#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 namespace {

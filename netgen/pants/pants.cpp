@@ -9,7 +9,6 @@
 #include "netgen/base/gmp.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pants/cuff_coordinates.h"
 #include "netgen/pants/curve_system.h"
 #include "netgen/prove/certified.h"
 

@@ -13,7 +13,6 @@
 #include "netgen/base/options.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 /// Pants decompositions of any surface, and its Fenchel–Nielsen coordinates, proved; Dehn twists and the flow of

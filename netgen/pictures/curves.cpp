@@ -12,10 +12,8 @@
 
 #include "certify/base/text.h"
 #include "certify/net/numbering.h"
-#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/pictures/dirichlet.h"
 #include "netgen/pictures/svg.h"
 
 namespace epsnet {

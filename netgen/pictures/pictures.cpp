@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "certify/net/numbering.h"
-#include "kernel/lorentz.h"
+#include "kernel/plane.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/pictures/dirichlet.h"
+#include "netgen/pictures/curves.h"
 #include "netgen/pictures/svg.h"
 
 namespace epsnet {

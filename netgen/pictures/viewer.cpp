@@ -14,9 +14,12 @@
 #include "netgen/pictures/curves.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg.h"
-#include "netgen/pictures/viewer_page.h"
 
 namespace epsnet {
+
+/// The text of viewer/viewer.html with the files that it names: the page, with places for its data (cmake/embed.cmake).
+extern const std::string_view kViewerPage;
+
 namespace {
 
 /// Returns a text as a JSON string for a script of an HTML page, where "<" must be escaped as it would start a tag.

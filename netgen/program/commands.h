@@ -20,8 +20,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
 #include "netgen/pictures/pictures.h"
-#include "netgen/program/input.h"
-#include "netgen/program/output.h"
+#include "netgen/program/files.h"
 #include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/surface.h"
 

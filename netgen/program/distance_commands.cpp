@@ -21,14 +21,12 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/input.h"
-#include "netgen/program/output.h"
+#include "netgen/program/files.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/surfaces.h"
 #include "triangulation/surface/atlas.h"
 
 namespace epsnet::program {
-
 namespace {
 
 struct DistanceRequest {

@@ -14,8 +14,7 @@
 #include "netgen/exchange/text_formats.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/input.h"
-#include "netgen/program/output.h"
+#include "netgen/program/files.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
 

@@ -20,8 +20,7 @@
 #include "netgen/nets/refine.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/input.h"
-#include "netgen/program/output.h"
+#include "netgen/program/files.h"
 #include "netgen/prove/certified.h"
 
 namespace epsnet::program {

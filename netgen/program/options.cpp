@@ -14,11 +14,10 @@
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/output.h"
-#include "triangulation/surface/points.h"
+#include "netgen/program/files.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::program {
-
 namespace {
 
 /// Refuses an empty path, which is a mistake such as an unset shell variable, and an option in place of a path.

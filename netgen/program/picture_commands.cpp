@@ -18,8 +18,7 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/input.h"
-#include "netgen/program/output.h"
+#include "netgen/program/files.h"
 
 namespace epsnet::program {
 namespace {

@@ -13,8 +13,7 @@
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/input.h"
-#include "netgen/program/output.h"
+#include "netgen/program/files.h"
 #include "netgen/prove/certified.h"
 
 /// The commands systole, spectrum and thick-thin: lists of closed geodesics, each with its proof.

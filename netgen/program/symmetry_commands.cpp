@@ -16,8 +16,7 @@
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
-#include "netgen/program/input.h"
-#include "netgen/program/output.h"
+#include "netgen/program/files.h"
 
 /// The command pants: a pants decomposition of a surface, and its Fenchel–Nielsen coordinates.
 

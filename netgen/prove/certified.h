@@ -1,12 +1,17 @@
 #pragma once
 
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "certify/check.h"
 #include "certify/documents.h"
 #include "certify/verdict/report.h"
 #include "netgen/base/options.h"
-#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 /// From a document that was computed to its proof. docs/design.md, "From a surface to a proof", says how.
 ///
@@ -31,7 +36,8 @@ class NetError : public Error {
 class NotCertifiedError : public NetError {
  public:
   /// Requires: the verdict is not `verified`.
-  explicit NotCertifiedError(certify::Certificate certificate);
+  explicit NotCertifiedError(certify::Certificate certificate)
+      : NetError("not certified: " + certify::verdict_line(certificate)), certificate_(std::move(certificate)) {}
   [[nodiscard]] const certify::Certificate& certificate() const { return certificate_; }
 
  private:
@@ -41,15 +47,34 @@ class NotCertifiedError : public NetError {
 /// Returns how a document that was made here is checked. A net may take the work that a file of its size may, so that
 /// `certify` verifies the file without options. Other claims have no limit of work: the limit protects from the files
 /// of others, and would refuse a true list that is long. Progress is that of the rules, as "certificate: RULE".
-[[nodiscard]] certify::CheckOptions own_check(const certify::AnyClaim& document, unsigned threads = 0,
-                                              const Progress& progress = {});
+[[nodiscard]] inline certify::CheckOptions own_check(const certify::AnyClaim& document, unsigned threads = 0,
+                                                     const Progress& progress = {}) {
+  const bool is_net =
+      document.visit([]<class Document>(const Document&) { return std::same_as<Document, certify::NetDocument>; });
+  certify::CheckOptions result;
+  result.threads = threads;
+  if (!is_net) result.max_work = std::numeric_limits<std::uint64_t>::max();
+  if (progress) {
+    result.progress = [progress](std::string_view rule, double share) {
+      progress("certificate: " + std::string(rule), share);
+    };
+  }
+  return result;
+}
 
 /// Returns the certificate of a document, which says VERIFIED; otherwise throws NotCertifiedError.
-[[nodiscard]] certify::Certificate proof_of(const certify::AnyClaim& document, const certify::CheckOptions& options);
+[[nodiscard]] inline certify::Certificate proof_of(const certify::AnyClaim& document,
+                                                   const certify::CheckOptions& options) {
+  certify::Certificate result = certify::check(document, options);
+  if (result.verdict != certify::Verdict::verified) throw NotCertifiedError(std::move(result));
+  return result;
+}
 
 /// Likewise, with the options of own_check.
-[[nodiscard]] certify::Certificate proof_of(const certify::AnyClaim& document, unsigned threads = 0,
-                                            const Progress& progress = {});
+[[nodiscard]] inline certify::Certificate proof_of(const certify::AnyClaim& document, unsigned threads = 0,
+                                                   const Progress& progress = {}) {
+  return proof_of(document, own_check(document, threads, progress));
+}
 
 /// Returns a document with its certificate, likewise.
 template <certify::IsDocument Document>

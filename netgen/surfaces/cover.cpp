@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "certify/file/json.h"
-#include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/exact_isometries.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/relations.h"
 #include "netgen/surfaces/surfaces.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kernel/lorentz.h"
+#include "kernel/plane.h"
 
 namespace epsnet {
 namespace {

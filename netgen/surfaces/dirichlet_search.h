@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/lorentz.h"
+#include "kernel/plane.h"
 #include "netgen/surfaces/exact_isometries.h"
 
 namespace epsnet {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "netgen/base/gmp.h"
-#include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/exact_isometries.h"
 #include "netgen/surfaces/number_field.h"
-#include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/exact_polygons.h"
 
 namespace epsnet {
 

@@ -10,7 +10,7 @@
 
 #include "netgen/base/disjoint_sets.h"
 #include "netgen/surfaces/exact_pants.h"
-#include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/exact_polygons.h"
 
 namespace epsnet {
 namespace {

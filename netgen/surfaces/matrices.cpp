@@ -11,11 +11,10 @@
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/dirichlet_search.h"
 #include "netgen/surfaces/exact_isometries.h"
-#include "netgen/surfaces/field_numbers.h"
-#include "netgen/surfaces/field_tiles.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/number_field.h"
 #include "netgen/surfaces/relations.h"
+#include "netgen/surfaces/triangle_group.h"
 
 /// The surface that matrices generate: the Dirichlet domain of a point is found with rounded numbers, and then examined
 /// exactly.

@@ -10,13 +10,12 @@
 #include "certify/file/json.h"
 #include "netgen/base/gmp.h"
 #include "netgen/base/json_text.h"
-#include "netgen/surfaces/field_numbers.h"
-#include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/exact_isometries.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/number_field.h"
 #include "netgen/surfaces/relations.h"
 #include "netgen/surfaces/triangle_group.h"
-#include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/exact_polygons.h"
 
 /// Matrices as text: JSON or a matrix in each line.
 namespace epsnet {

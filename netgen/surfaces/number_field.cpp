@@ -12,7 +12,6 @@
 #include <string>
 
 #include "certify/numbers/field_number.h"
-#include "netgen/surfaces/arithmetic_parser.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {

@@ -18,7 +18,7 @@
 #include "certify/file/document_reader.h"
 #include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
-#include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/exact_isometries.h"
 
 namespace epsnet {
 namespace {

@@ -10,7 +10,6 @@
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "python/binding/binding.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet::python {

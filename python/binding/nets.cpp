@@ -12,7 +12,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/surfaces.h"
-#include "python/binding/documents.h"
+#include "python/binding/binding.h"
 
 namespace epsnet::python {
 namespace {

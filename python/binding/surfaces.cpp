@@ -10,7 +10,6 @@
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/regular_maps.h"
 #include "python/binding/binding.h"
-#include "python/binding/job.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet::python {

@@ -1,4 +1,3 @@
-#include "kernel/lorentz.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -11,7 +11,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
-#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::dehn_twist_test {
 namespace {

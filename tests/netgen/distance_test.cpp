@@ -20,7 +20,7 @@
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/surface/points.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::distance_test {
 namespace {

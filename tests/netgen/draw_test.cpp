@@ -25,7 +25,6 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/nets/refine.h"
 #include "netgen/pictures/curves.h"
-#include "netgen/pictures/dirichlet.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"

@@ -1,4 +1,3 @@
-#include "netgen/surfaces/field_numbers.h"
 
 #include <cmath>
 #include <gmock/gmock.h>

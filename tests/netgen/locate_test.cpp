@@ -14,7 +14,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/surface/points.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::locate_test {
 namespace {

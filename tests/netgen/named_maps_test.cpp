@@ -7,7 +7,7 @@
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/surfaces.h"
-#include "triangulation/surface/points.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::named_maps_test {
 namespace {

@@ -1,5 +1,3 @@
-#include "netgen/nets/net_document.h"
-
 #include <cmath>
 #include <functional>
 #include <gmock/gmock.h>
@@ -10,11 +8,12 @@
 
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/operations.h"
+#include "triangulation/mesh/triangulation.h"
 
 /// Net documents as triangulations.
 namespace epsnet::net_document_test {

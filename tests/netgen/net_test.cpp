@@ -17,7 +17,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/nets/variants.h"
+#include "netgen/nets/refine.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "tests/support/scale.h"

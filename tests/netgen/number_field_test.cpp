@@ -11,7 +11,7 @@
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/field_tiles.h"
+#include "netgen/surfaces/exact_isometries.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/netgen/matrix_texts.h"

@@ -12,11 +12,11 @@
 #include "certify/check.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/nets/variants.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/operations.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet::parts_test {
 namespace {

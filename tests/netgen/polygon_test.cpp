@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distances.h"
 #include "netgen/geodesics/geodesics.h"
@@ -19,7 +18,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/surface/points.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::polygon_test {
 namespace {

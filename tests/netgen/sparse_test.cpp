@@ -16,7 +16,6 @@
 #include "netgen/base/gmp.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/nets/variants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"

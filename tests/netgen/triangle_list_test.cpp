@@ -1,8 +1,8 @@
-#include "netgen/nets/triangle_list.h"
-
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "netgen/nets/refine.h"
 
 namespace epsnet::triangle_list_test {
 namespace {

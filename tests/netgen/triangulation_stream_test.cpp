@@ -16,7 +16,7 @@
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/surface/glued_polygons.h"
+#include "triangulation/surface/exact_polygons.h"
 
 namespace epsnet::triangulation_stream_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/lorentz.h"
+#include "kernel/plane.h"
 #include "netgen/geodesics/axis_catalogue.h"
 #include "triangulation/mesh/triangulation.h"
 

@@ -8,8 +8,8 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/surfaces/surfaces.h"
-#include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet::test {
 

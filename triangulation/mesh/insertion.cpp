@@ -5,7 +5,7 @@
 #include <cassert>
 
 #include "kernel/predicates.h"
-#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

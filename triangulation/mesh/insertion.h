@@ -1,17 +1,74 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "kernel/predicates.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/atlas.h"
 
 namespace epsnet {
+
+// What binary64 does not see to be false: for assertions, as nothing is evaluated, counted or kept.
+
+/// False if c is certainly to the right of the geodesic from a to b.
+[[nodiscard]] inline bool may_be_left(const Triangulation& triangulation, Corner a, Corner b, Corner c) {
+  const Triangulation::Lift p = triangulation.lift(a);
+  const Triangulation::Lift q = triangulation.lift(b);
+  const Triangulation::Lift r = triangulation.lift(c);
+  const StageSign sign = orientation_stage<double>(p.z, q.z, r.z, std::max({p.error, q.error, r.error}));
+  return !sign.certain || sign.sign > 0;
+}
+
+/// False if p is certainly outside of the circle through the corners of a triangle, in whose chart it is.
+[[nodiscard]] inline bool may_be_in_circle(const Triangulation& triangulation, TriangleId t, Corner p) {
+  const Triangulation::Lift a = triangulation.lift(triangulation.corner(t, 0));
+  const Triangulation::Lift b = triangulation.lift(triangulation.corner(t, 1));
+  const Triangulation::Lift c = triangulation.lift(triangulation.corner(t, 2));
+  const Triangulation::Lift d = triangulation.lift(p);
+  const StageSign sign = in_circle_stage<double>(a.z, b.z, c.z, d.z, std::max({a.error, b.error, c.error, d.error}));
+  return !sign.certain || sign.sign > 0;
+}
+
+// What the refinement alone needs of a triangulation: marks of triangles, and memory that is asked for early.
+
+/// Sets and takes back the mark of a triangle (`Triangle::marked`).
+inline void mark(Triangulation& triangulation, TriangleId t) {
+  Editor(triangulation).triangles()[t].labels_and_mark |= 1;
+}
+inline void unmark(Triangulation& triangulation, TriangleId t) {
+  Editor(triangulation).triangles()[t].labels_and_mark &= ~std::uint64_t{1};
+}
+
+// Asks the memory for what an insertion at triangle t is going to touch, one step of indirection after the other.
+inline void prefetch_triangle(const Triangulation& triangulation, TriangleId t) {
+  __builtin_prefetch(&triangulation.triangle(t));
+}
+inline void prefetch_neighbours(const Triangulation& triangulation, TriangleId t) {
+  const Triangle& triangle = triangulation.triangle(t);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    __builtin_prefetch(&triangulation.point(triangle.vertex[i]));
+    __builtin_prefetch(&triangulation.triangle(triangle_of(triangle.opposite[i])));
+  }
+}
+inline void prefetch_second_neighbours(const Triangulation& triangulation, TriangleId t) {
+  for (const Dart d : triangulation.triangle(t).opposite) {
+    const Triangle& neighbour = triangulation.triangle(triangle_of(d));
+    const std::uint32_t i = corner_of(d);
+    __builtin_prefetch(&triangulation.point(neighbour.vertex[previous(i)]));
+    __builtin_prefetch(&triangulation.triangle(triangle_of(neighbour.opposite[next(i)])));
+    __builtin_prefetch(&triangulation.triangle(triangle_of(neighbour.opposite[previous(i)])));
+  }
+}
+
+// Insertions.
 
 /// Returns the circumcentre of triangle t in its chart, in binary64; nullopt if binary64 cannot place it inside the
 /// circle.

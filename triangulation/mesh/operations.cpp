@@ -14,11 +14,10 @@
 #include <vector>
 
 #include "kernel/plane.h"
-#include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
-
 namespace {
 
 std::string at(std::string_view what, Dart d) {

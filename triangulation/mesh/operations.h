@@ -58,20 +58,6 @@ inline constexpr std::uint32_t kAnySteps = ~0u;
 [[nodiscard]] Location locate_straight(Triangulation& triangulation, TriangleId start, Corner p,
                                        std::uint32_t most_steps = kAnySteps);
 
-// The journal.
-
-/// Everything an operation overwrote, so that it can be undone.
-struct Journal {
-  std::size_t vertices = 0;
-  std::size_t triangles = 0;
-  std::vector<std::pair<TriangleId, Triangle>> overwritten;
-};
-
-/// Starts to record for `undo`.
-[[nodiscard]] Journal open_journal(const Triangulation& triangulation);
-/// Takes back everything since the journal was opened; vertices, triangles and their order are as they were.
-void undo(Triangulation& triangulation, const Journal& journal);
-
 // High-level operations.
 
 /// Flips until every edge is locally Delaunay (thesis Theorem I.32), starting from the given darts, which it consumes;

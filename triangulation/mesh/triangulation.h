@@ -2,16 +2,16 @@
 
 #include <array>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "kernel/numbers.h"
 #include "kernel/predicates.h"
 #include "triangulation/surface/atlas.h"
-#include "triangulation/surface/error.h"
-#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -43,7 +43,7 @@ class Threshold {
 /// A dart: the edge of triangle t from corner i to corner i + 1, directed.
 ///
 /// It is a distinct type because files number darts differently (docs/format.md). `document_dart` and
-/// `triangulation_dart` (netgen/nets/net_document.h) convert between the two.
+/// `triangulation_dart` (netgen/nets/triangulations.h) convert between the two.
 enum class Dart : std::uint32_t {};
 
 /// The largest number of a triangle that a dart has room for.
@@ -310,5 +310,86 @@ class Triangulation {
   Mesh mesh_;
   std::uint64_t multiprecision_ = 0;
 };
+
+// What writes into a triangulation: the journal of what it overwrites, and the editor.
+
+/// Everything an operation overwrote, so that it can be undone.
+struct Journal {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::vector<std::pair<TriangleId, Triangle>> overwritten;
+};
+
+/// Starts to record for `undo`.
+[[nodiscard]] Journal open_journal(const Triangulation& triangulation);
+/// Takes back everything since the journal was opened; vertices, triangles and their order are as they were.
+void undo(Triangulation& triangulation, const Journal& journal);
+
+/// Writes into a triangulation, for the algorithms of this folder: each step alone leaves it unsound. Keeps references;
+/// with a journal what triangles were before is recorded there.
+class Editor {
+ public:
+  explicit Editor(Triangulation& triangulation, Journal* journal = nullptr)
+      : triangulation_(triangulation), journal_(journal) {}
+
+  /// A triangulation to be filled.
+  [[nodiscard]] static Triangulation without_triangles(Atlas atlas) { return Triangulation(std::move(atlas)); }
+
+  [[nodiscard]] Atlas& atlas() const { return triangulation_.atlas_; }
+  [[nodiscard]] Mesh& mesh() const { return triangulation_.mesh_; }
+  [[nodiscard]] ById<VertexId, Complex<double>>& points() const { return triangulation_.mesh_.points; }
+  [[nodiscard]] ById<VertexId, ChartId>& charts() const { return triangulation_.mesh_.charts; }
+  [[nodiscard]] ById<TriangleId, Triangle>& triangles() const { return triangulation_.mesh_.triangles; }
+
+  /// No triangulation has more triangles.
+  static constexpr std::size_t kMostTriangles = kLargestTriangle.number();
+  /// Throws LimitError if so many more triangles are more than there may be.
+  void require_room(std::size_t triangles) const { require_room(triangulation_.triangle_count(), triangles); }
+  /// The same for `count` triangles that are there.
+  static void require_room(std::size_t count, std::size_t triangles);
+  /// Adds a vertex that no triangle has yet.
+  VertexId add_vertex(const Vertex& v) const {
+    assert(v.chart.number() < triangulation_.atlas().charts().count() && norm(v.z) <= kChartRadius * kChartRadius);
+    const VertexId id = points().end_id();
+    points().push_back(v.z);
+    charts().push_back(v.chart);
+    return id;
+  }
+  /// Takes back the last add_vertex; no triangle may have the vertex.
+  void pop_vertex() const {
+    assert(!points().empty());
+    points().pop_back();
+    charts().pop_back();
+  }
+  TriangleId add_triangle() const {
+    const TriangleId id = triangles().end_id();
+    triangles().push_back({});
+    return id;
+  }
+  /// Gives a triangle its corners, all in one chart of reference, and takes its mark; its opposite darts stay.
+  void set(TriangleId t, Corner c0, Corner c1, Corner c2) const;
+  /// Makes two darts opposite to each other.
+  void link(Dart d, Dart e) const {
+    assert(d != e);
+    record(triangle_of(e));
+    triangles()[triangle_of(d)].opposite[corner_of(d)] = e;
+    triangles()[triangle_of(e)].opposite[corner_of(e)] = d;
+  }
+
+ private:
+  void record(TriangleId t) const {
+    if (journal_ != nullptr && t.number() < journal_->triangles) {
+      journal_->overwritten.emplace_back(t, triangles()[t]);
+    }
+  }
+
+  Triangulation& triangulation_;
+  Journal* journal_;
+};
+
+/// The triangulation of these vertices and triangles, whose charts and labels are those of the atlas; nothing is
+/// flipped or renumbered. Throws TriangulationError if it is not sound (`problem`). O(n).
+[[nodiscard]] Triangulation assembled(Atlas atlas, std::span<const Vertex> vertices,
+                                      std::span<const Triangle> triangles);
 
 }  // namespace epsnet

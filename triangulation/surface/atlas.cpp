@@ -11,12 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/lorentz.h"
+#include "kernel/plane.h"
 #include "triangulation/surface/surface.h"
 #include "triangulation/surface/words.h"
 
 namespace epsnet {
-
 namespace {
 
 std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }

@@ -12,7 +12,6 @@
 
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
-#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 #include "triangulation/surface/words.h"
 

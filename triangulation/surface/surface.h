@@ -1,19 +1,139 @@
 #pragma once
 
 #include <cassert>
+#include <compare>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "certify/base/error.h"
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
-#include "triangulation/surface/error.h"
-#include "triangulation/surface/id.h"
 
 namespace epsnet {
+
+// Errors.
+
+/// The base class of the library's exceptions for tasks that cannot be done: invalid input, files that cannot be read
+/// or written, nets that are not found. what() gives the reason, and a program ends with that text.
+class Error : public certify::LocatedError {
+ public:
+  using LocatedError::LocatedError;
+};
+
+/// A surface or a triangulation is beyond a limit: too many triangles or labels, a path too long to be evaluated.
+class LimitError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A file could not be written. what() is one line: the path and the reason ("No space left on device").
+class WriteError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Vertices and triangles are not a triangulation; what() names the first wrong element.
+class TriangulationError : public Error {
+ public:
+  using Error::Error;
+};
+
+// Numbers of tiles, sides, charts, vertices and triangles as distinct types, so that none can stand for another.
+
+/// The number of one of the things that are of this kind, counted from 0. Converted from and to integers explicitly.
+template <class Kind>
+class Id {
+ public:
+  Id() = default;
+  /// The id with a number. Requires: 0 ≤ number < 2^32.
+  constexpr explicit Id(std::integral auto number) : number_(static_cast<std::uint32_t>(number)) {
+    assert(std::in_range<std::uint32_t>(number));
+  }
+
+  /// The number.
+  [[nodiscard]] constexpr std::uint32_t number() const { return number_; }
+  constexpr Id& operator++() {
+    ++number_;
+    return *this;
+  }
+  friend constexpr auto operator<=>(Id, Id) = default;
+
+ private:
+  std::uint32_t number_;
+};
+
+/// The number, for messages.
+template <class Kind>
+[[nodiscard]] std::string to_string(Id<Kind> id) {
+  return std::to_string(id.number());
+}
+
+/// The number of a tile of a surface.
+using TileId = Id<struct TileKind>;
+/// The number of a side of a tile, through all tiles of a surface; also that of the corner where the side starts.
+using SideId = Id<struct SideKind>;
+/// The number of a chart in an atlas.
+using ChartId = Id<struct ChartKind>;
+/// The number of a vertex in a triangulation.
+using VertexId = Id<struct VertexKind>;
+/// The number of a triangle in a triangulation.
+using TriangleId = Id<struct TriangleKind>;
+
+/// Successive numbers, in order: what a range-based for loop needs.
+template <class I>
+class Ids {
+ public:
+  /// Points to an id.
+  class Iterator {
+   public:
+    /// Points to this id.
+    constexpr explicit Iterator(I id) : id_(id) {}
+    [[nodiscard]] constexpr I operator*() const { return id_; }
+    constexpr Iterator& operator++() {
+      ++id_;
+      return *this;
+    }
+    friend constexpr bool operator==(Iterator, Iterator) = default;
+
+   private:
+    I id_;
+  };
+
+  /// The numbers less than `count`.
+  constexpr explicit Ids(std::uint32_t count) : Ids(I(0), count) {}
+  /// `count` numbers, from this one on.
+  constexpr Ids(I first, std::uint32_t count) : first_(first), count_(count) {}
+  /// The first number.
+  [[nodiscard]] constexpr Iterator begin() const { return Iterator(first_); }
+  /// Behind the last number.
+  [[nodiscard]] constexpr Iterator end() const { return Iterator(I(first_.number() + count_)); }
+
+ private:
+  I first_;
+  std::uint32_t count_;
+};
+
+/// A vector whose elements are those of these numbers.
+template <class I, class T>
+class ById : public std::vector<T> {
+ public:
+  using std::vector<T>::vector;
+  [[nodiscard]] decltype(auto) operator[](I id) { return std::vector<T>::operator[](id.number()); }
+  [[nodiscard]] decltype(auto) operator[](I id) const { return std::vector<T>::operator[](id.number()); }
+  /// All numbers of elements.
+  [[nodiscard]] Ids<I> ids() const { return Ids<I>(static_cast<std::uint32_t>(this->size())); }
+  /// The number of the next element that is added.
+  [[nodiscard]] I end_id() const { return I(this->size()); }
+};
+
+// Surfaces.
 
 /// A strictly convex hyperbolic polygon in the Poincaré disk, vertices counterclockwise; side k goes from vertex k to
 /// vertex k + 1.
@@ -36,7 +156,7 @@ struct RegularTile {
   bool operator==(const RegularTile&) const = default;
 };
 
-/// Tiles over a number field, exactly; netgen/surfaces/field_tiles.h knows them.
+/// Tiles over a number field, exactly; netgen/surfaces/exact_isometries.h knows them.
 struct FieldTiles;
 
 /// Tiles and a gluing that are not a closed hyperbolic surface; what() names the element and the numbers.
@@ -110,9 +230,9 @@ class Surface {
   [[nodiscard]] bool is_regular_polygon() const;
 
   /// A surface whose tiles have corners over a number field: from their corners rounded to 256 bits, and the crossings,
-  /// by side, rounded to the precision of Mp4096. Requires: tiles of a closed surface (field_tiles.h has a function
-  /// that examines it). Throws SurfaceError for tiles whose rounded corners are not convex, and for what `map` throws
-  /// it for.
+  /// by side, rounded to the precision of Mp4096. Requires: tiles of a closed surface (`surface_over_field` of
+  /// netgen/surfaces examines them). Throws SurfaceError for tiles whose rounded corners are not convex, and for what
+  /// `map` throws it for.
   [[nodiscard]] static Surface over_field(std::shared_ptr<const FieldTiles> exact, std::vector<Tile> tiles,
                                           std::vector<Gluing> gluing, ById<SideId, Isometry<Mp4096>> crossings);
   /// Returns the tiles exactly, if the surface was made by `over_field`, else nullptr.
@@ -248,4 +368,28 @@ struct BasePoint {
 /// Throws SurfaceError if the point is not strictly inside its tile.
 void require_inside(const Surface& surface, const BasePoint& base);
 
+// Points wherever in the disk of a tile they are given: beyond a side the tile's disk goes on with the neighbours.
+
+/// Throws SurfaceError unless the surface has the tile and the coordinates are in its disk.
+void require_on_surface(const Surface& surface, const BasePoint& point);
+
+/// Returns the same point of the surface in a closed tile that contains it: the point as given if its own tile does.
+/// Exact. Unless the surface `is_rational`, every point is returned as given. Throws SurfaceError if it is no point of
+/// the surface, or more than 10,000 tiles away from its own.
+[[nodiscard]] BasePoint in_its_tile(const Surface& surface, const BasePoint& point);
+
+/// Returns whether two points are the same point of the surface, on sides and corners of tiles too. Exact; of a regular
+/// surface only equal coordinates are known to be. Throws as in_its_tile.
+[[nodiscard]] bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& q);
+
 }  // namespace epsnet
+
+/// \cond Doxygen does not know the namespace std.
+/// The hash of the number.
+template <class Kind>
+struct std::hash<epsnet::Id<Kind>> {
+  [[nodiscard]] std::size_t operator()(epsnet::Id<Kind> id) const noexcept {
+    return std::hash<std::uint32_t>{}(id.number());
+  }
+};
+/// \endcond

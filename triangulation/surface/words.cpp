@@ -10,13 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "kernel/predicates.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
-
 namespace {
 
 /// The points p, q of the disk, rounded to nearest, have certainly |z|² > square, z being q with p moved to the origin.

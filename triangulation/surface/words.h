@@ -12,7 +12,6 @@
 
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
-#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "netgen/nets/start.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"

@@ -12,10 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/nets/net_document.h"
+#include "netgen/nets/triangulations.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/operations.h"
 

@@ -9,7 +9,7 @@
 #include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
-#include "netgen/nets/start.h"
+#include "netgen/nets/triangulations.h"
 #include "tests/support/polygons.h"
 #include "triangulation/mesh/operations.h"
 

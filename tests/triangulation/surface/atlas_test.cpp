@@ -6,7 +6,6 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 
-#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"

@@ -14,7 +14,7 @@
 #include "netgen/exchange/text_formats.h"
 #include "netgen/surfaces/surfaces.h"
 #include "tests/support/polygons.h"
-#include "triangulation/surface/glued_polygons.h"
+#include "triangulation/surface/exact_polygons.h"
 
 namespace epsnet::surface_test {
 namespace {

@@ -4,10 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "certify/net/document.h"
+#include "netgen/base/options.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/collars.h"
 #include "triangulation/mesh/triangulation.h"
 
+/// Triangulations from which nets are made: of the tiles of a surface, of points, and of the document of a net; and
+/// such documents.
 namespace epsnet {
 
 /// The start of a refinement.
@@ -46,5 +50,22 @@ std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart
 
 /// Removes vertices as reduce_to_packing does until only vertex 0 is left, in its place.
 std::uint32_t reduce_to_vertex_0(Triangulation& triangulation);
+
+/// Returns the number of a triangulation's dart in a net file.
+[[nodiscard]] constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d).number() + corner_of(d); }
+/// Returns the triangulation's dart with a number of a net file.
+[[nodiscard]] constexpr Dart triangulation_dart(std::uint32_t d) { return make_dart(TriangleId(d / 3), d % 3); }
+
+/// Returns a triangulation as the plain data of a net file, without unused charts and labels. O(size).
+[[nodiscard]] certify::NetDocument net_document(const Triangulation& triangulation, const Length& epsilon);
+
+/// Returns the triangulation that a net file describes. Charts, labels, vertices and triangles are those of the file;
+/// nothing is flipped or recomputed. So for a document that net_document made, net_document returns it again. A
+/// triangulation has no epsilon and no collars; those of the document are left out. Does not check whether the vertices
+/// are a net.
+///
+/// Throws SurfaceError if the document's surface is invalid, TriangulationError if charts, labels, vertices or
+/// triangles are inconsistent, LimitError. O(size) plus the time of `Surface` and of evaluating the labels.
+[[nodiscard]] Triangulation triangulation_of(const certify::NetDocument& net);
 
 }  // namespace epsnet
