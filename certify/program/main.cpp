@@ -88,11 +88,11 @@ std::string description() {
   return text;
 }
 
-/// "net, geodesics, … and …", the kinds of files, four on a line.
+/// "net, geodesics, … and …", the kinds of files, three on a line.
 std::string names_of_files() {
   std::string text;
   for (std::size_t i = 0; i < kClaimKinds.size(); ++i) {
-    const char* comma = i % 4 == 0 ? ",\n" : ", ";
+    const char* comma = i % 3 == 0 ? ",\n" : ", ";
     text.append(i == 0 ? "" : i + 1 < kClaimKinds.size() ? comma : " and ").append(kClaimKinds[i].name);
   }
   return text;

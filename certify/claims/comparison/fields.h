@@ -22,8 +22,8 @@ struct Fields<ComparisonDocument::Relation> {
 template <>
 struct Fields<ComparisonDocument> {
   static constexpr ClaimKind kKind{"comparison", "epsnet-comparison", "a comparison of two surfaces",
-                                   "A comparison file claims that two surfaces are isometric, by an isometry, or that\n"
-                                   "they are not.",
+                                   "A comparison file claims that two surfaces are isometric, by an isometry, or\n"
+                                   "that they are not.",
                                    20};
   static constexpr const char* kName = "comparison file";
   static constexpr const char* kPrefix = "";
