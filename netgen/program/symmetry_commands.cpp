@@ -336,8 +336,8 @@ void add_isometric_command(CLI::App& app, Job& chosen) {
   add_threads(*command, shared->threads);
   command->footer(
       "That two surfaces are isometric is proved by exact numbers, also if they are given in different ways: tiles of "
-      "other types, or numbers of other fields. That they are not is proved by their genera, or by the numbers of "
-      "closed geodesics up to some length.\n"
+      "other types, or numbers of other fields. That they are not is proved by their genera, or by their closed "
+      "geodesics up to some length: how many there are, or where they cross.\n"
       "Exit code 2: undecided, as neither is found, or the exact numbers are too large.\n\n"
       "Example:\n"
       "  epsnet isometric s.json t.json -o comparison.json && certify comparison.json");

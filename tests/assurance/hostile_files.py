@@ -880,6 +880,42 @@ def isometries_of_powers():
     return result
 
 
+def comparison_file(name):
+    with open(os.path.join(data, "comparisons", name + ".json")) as file:
+        return json.load(file)
+
+
+@kind
+def comparison_of_long_words():
+    """Numbers of two rings that are compared to millions of bits."""
+    result = comparison_file("bolza-octagons-8-3")
+    word = result["images"][0]
+    result["images"][0] = word * ((SIZE - 60_000) // (4 * len(word)))
+    return result
+
+
+@kind
+def comparison_by_a_far_lift():
+    """A true one, of which all images are conjugated by a word of some hundred letters: numbers of hundreds of bits."""
+    result = comparison_file("bolza-octagons-8-3")
+    partner = {}
+    for t, k, u, l in result["other_net"]["surface"]["gluing"]:
+        partner[8 * t + k], partner[8 * u + l] = 8 * u + l, 8 * t + k
+    word = (result["images"][0] + result["images"][1]) * 20
+    back = [partner[s] for s in reversed(word)]
+    result["images"] = [word + image + back for image in result["images"]]
+    return result
+
+
+@kind
+def comparison_of_many_geodesics():
+    """A surface and itself, with thousands of points where closed geodesics cross, which are alike."""
+    bolza = ["regular", "--genus", "2"]
+    spectrum = epsnet("spectrum", "--up-to", "7", surface=bolza)
+    first = {key: spectrum[key] for key in ("net", "geodesics", "clusters", "up_to")}
+    return {"format": "epsnet-comparison", "version": 1, "claim": "different", **first, "other_spectrum": spectrum}
+
+
 def pants_file(name="octagon-5"):
     with open(os.path.join(data, "pants", name + ".json")) as file:
         return json.load(file)

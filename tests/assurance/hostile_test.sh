@@ -74,6 +74,9 @@ expect isometries-of-many-rows VERIFIED
 expect isometries-of-long-words UNDECIDED
 expect isometries-of-many-geodesics UNDECIDED
 expect isometries-of-powers UNDECIDED
+expect comparison-of-long-words UNDECIDED
+expect comparison-by-a-far-lift VERIFIED
+expect comparison-of-many-geodesics UNDECIDED
 expect pants-of-a-random-path 'REFUTED: pants'
 expect pants-of-a-path-that-cancels UNDECIDED
 expect pants-of-a-path-that-cancels-to-nothing UNDECIDED
