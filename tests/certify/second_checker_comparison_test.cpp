@@ -141,7 +141,10 @@ TEST(SecondCheckerOfComparisons, TheAxesOfThePairCross) {
   Document document = mirror_image();
   document.isometry.pair[1] = document.isometry.pair[0];
   document.isometry.images[1] = document.isometry.images[0];
-  EXPECT_EQ(both(document), "REFUTED: isometric");
+  for (const bool preserves_orientation : {true, false}) {
+    document.isometry.preserves_orientation = preserves_orientation;
+    EXPECT_EQ(both(document), "REFUTED: isometric");
+  }
 }
 
 TEST(SecondCheckerOfComparisons, AnotherSurfaceHasOtherTraces) {
