@@ -214,6 +214,9 @@ TEST(SecondCheckerOfComparisons, ASurfaceIsNotDifferentFromItself) {
   EXPECT_EQ(both(against_itself(octagons())), "UNDECIDED: different");
   EXPECT_EQ(both(against_itself(sunada())), "UNDECIDED: different");
   EXPECT_EQ(both(against_itself(sunada().other)), "UNDECIDED: different");
+  // The only isometry of this one is the identity.
+  auto alone = read_file<IsometriesDocument>(std::string(EPSNET_TEST_DATA) + "/isometries/fenchel-nielsen-3-1.json");
+  EXPECT_EQ(both(against_itself(alone)), "UNDECIDED: different");
 }
 
 TEST(SecondCheckerOfComparisons, OnlyLengthsThatBothListsCoverAreCompared) {

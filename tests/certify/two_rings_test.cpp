@@ -63,6 +63,21 @@ TEST(TwoRings, NumbersThatAreCloseAreToldApart) {
   }
 }
 
+TEST(TwoRings, NumbersMayBeMuchCloserThanTheirConjugatesAreLarge) {
+  // A unit of which the other three conjugates are all large: the product of all is 1.
+  const std::array<PowerOfZeta, 1> one{{{1, 0}}};
+  const RegularNumber root_of_three = regular_number(ring(), {}, one);
+  const RegularNumber first = in_ring(-1, 1);
+  const RegularNumber second = root_of_three - in_ring(0, 1);
+  const RegularNumber third = in_ring(2, 0) - root_of_three;
+  const RegularNumber unit = first * first * first * second * second * third * third;
+  RegularNumber small = in_ring(1, 0);
+  for (int n = 1; n < 40; ++n) {
+    small = small * unit;
+    EXPECT_EQ(agree(small + in_ring(1, 0), in_field(1, 0), in_ring(1, 0), in_field(1, 0)), false) << n;
+  }
+}
+
 TEST(TwoRings, OtherConjugatesDoNotCount) {
   // √2 and −√2 are conjugates; so are √3 and −√3.
   EXPECT_EQ(agree(in_ring(0, 1), in_field(1, 0), in_ring(1, 0), in_field(0, 1)), true);
@@ -91,6 +106,17 @@ TEST(TwoRings, BoundsHoldForAllConjugates) {
   const NumberField cubic({-1, -1000, 0, 1}, {mpq_class(-1), mpq_class(0)});
   EXPECT_GE(real_number(field_number(cubic, std::vector<mpz_class>{0, 0, 1})).bits, 10U);
   EXPECT_EQ(real_number(field_number(cubic, std::vector<mpz_class>{0, 0, 1})).degree, 3U);
+  // x⁹ − Σ (4^i − 1) x^(9−i) has a root near 8, whose eighth power has 24 bits.
+  std::vector<mpz_class> coefficients(10);
+  coefficients[9] = 1;
+  for (unsigned long i = 1; i <= 9; ++i) coefficients[9 - i] = 1 - power(4, i);
+  const NumberField ninth(coefficients, {mpq_class(7), mpq_class(8)});
+  std::vector<mpz_class> eighth_power(9);
+  eighth_power[8] = 1;
+  EXPECT_GE(real_number(field_number(ninth, eighth_power)).bits, 24U);
+  // The square of s is 1000003.
+  const RegularRing large(8, std::array<PowerOfZeta, 1>{{{1'000'003, 0}}});
+  EXPECT_GE(real_number(regular_number(large, {}, std::array<PowerOfZeta, 1>{{{1, 0}}})).bits, 10U);
   EXPECT_EQ(real_number(in_ring(1, 1)).degree, 4U);
   EXPECT_EQ(real_number(mpz_class(1)).degree, 1U);
 }
