@@ -8,7 +8,10 @@
 #include "certify/check.h"
 #include "certify/claims/comparison/fields.h"
 #include "certify/claims/isometries/conjugation.h"
+#include "certify/exact/algebraic.h"
 #include "certify/exact/checker.h"
+#include "certify/exact/conjugation.h"
+#include "certify/exact/number_field.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "tests/certify/claim_files.h"
@@ -255,6 +258,14 @@ TEST(SecondCheckerOfComparisons, EitherSurfaceMayHaveMoreClosedGeodesics) {
   EXPECT_EQ(both(document), "VERIFIED");
 }
 
+TEST(SecondCheckerOfComparisons, AListThatEndsEarlierMayHaveFewer) {
+  // The systole of the other surface is shorter than 2, that of the first one is not.
+  Document document = against_itself(shortened(octagons(), "2"));
+  ASSERT_TRUE(document.geodesics.empty());
+  document.other = octagons().other;
+  EXPECT_EQ(both(document), "VERIFIED");
+}
+
 TEST(SecondCheckerOfComparisons, BothListsAreExamined) {
   Document document = against_itself(octagons());
   document.geodesics.erase(document.geodesics.begin());
@@ -285,6 +296,68 @@ TEST(SecondCheckerOfComparisons, CrossingsTellIsospectralSurfacesApart) {
 TEST(SecondCheckerOfComparisons, TheMirrorImageIsNotDifferent) {
   // Of an octagon whose isometries all preserve the orientation, though the file says that it is.
   EXPECT_EQ(both(read("mirror-image-different")), "UNDECIDED: different");
+}
+
+// Traces as the second checker compares them.
+
+exact::Trace trace(int t, int scale = 1) {
+  return {exact::real_number(mpz_class(t * t * scale)), exact::real_number(mpz_class(scale)), (t > 0) - (t < 0)};
+}
+
+/// Of x, y, xy; and of two other elements with 1, x, y, xy.
+std::vector<exact::Trace> traces() {
+  std::vector<exact::Trace> result;
+  for (const int t : {3, 4, 5, 1, 2, 0, 6, 7, 8, 9, 10}) result.push_back(trace(t));
+  return result;
+}
+
+bool are_conjugate(const std::vector<exact::Trace>& from, const std::vector<exact::Trace>& to) {
+  try {
+    exact::expect_conjugate({1, from}, {1, to});
+    return true;
+  } catch (const exact::Refutation&) {
+    return false;
+  }
+}
+
+TEST(SecondCheckerOfComparisons, TracesAreEqualUpToOneSignForEachElement) {
+  EXPECT_TRUE(are_conjugate(traces(), traces()));
+  for (std::size_t i = 0; i < traces().size(); ++i) {
+    std::vector<exact::Trace> other = traces();
+    other[i] = trace(11);
+    EXPECT_FALSE(are_conjugate(traces(), other)) << i;
+    other = traces();
+    if (other[i].sign == 0) continue;
+    other[i].sign = -1;
+    EXPECT_FALSE(are_conjugate(traces(), other)) << i;
+  }
+  for (const std::size_t first : {3, 7}) {
+    std::vector<exact::Trace> other = traces();
+    for (std::size_t i = first; i < first + 4; ++i) other[i].sign = -other[i].sign;
+    EXPECT_TRUE(are_conjugate(traces(), other)) << first;
+  }
+  std::vector<exact::Trace> scaled;
+  for (const int t : {3, 4, 5, 1, 2, 0, 6, 7, 8, 9, 10}) scaled.push_back(trace(t, 7));
+  EXPECT_TRUE(are_conjugate(traces(), scaled));
+}
+
+TEST(SecondCheckerOfComparisons, NumbersMayBeMuchCloserThanTheirConjugatesAreLarge) {
+  const auto is_one = [](const auto& x) {
+    const exact::Trace one = trace(1);
+    return are_conjugate({exact::Trace{real_number(x), one.determinant, 1}}, {one});
+  };
+  // x⁴ + 2⁶⁰x + 1 has a root near −2⁻⁶⁰ and three near 2²⁰ in size.
+  const exact::NumberField quartic({1, mpz_class(1) << 60, 0, 0, 1}, -1, 0);
+  EXPECT_FALSE(is_one(exact::FieldNumber(quartic, {1, 0, 0, 1})));
+  EXPECT_TRUE(is_one(exact::FieldNumber(quartic, {1})));
+  // Powers of 2 − 2cos(2π/n) are small, those of the conjugates are not.
+  const exact::RealField cosines(100, 100, false);
+  const exact::Algebraic small = exact::Algebraic(2) - cosines.cosine(1);
+  exact::Algebraic power = 1;
+  for (int i = 0; i < 20; ++i) power = power * small;
+  EXPECT_FALSE(is_one(exact::Algebraic(1) + power));
+  EXPECT_FALSE(is_one(exact::Algebraic(1) + power * cosines.s()));
+  EXPECT_TRUE(is_one(exact::Algebraic(1) + power - power));
 }
 
 TEST(SecondCheckerOfComparisons, TheSpectraAreSpectra) {

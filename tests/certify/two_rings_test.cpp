@@ -78,6 +78,32 @@ TEST(TwoRings, NumbersMayBeMuchCloserThanTheirConjugatesAreLarge) {
   }
 }
 
+TEST(TwoRings, TheDegreeIsThatOfBothFieldsTogether) {
+  // Powers of a unit (√2 − 1)⁶(√5 − 2)⁴(√10 − 3)³ = x + y√5 with x and y in ℤ[√2], which is small; its other three
+  // conjugates are large.
+  const NumberField five({-5, 0, 1}, {mpq_class(2), mpq_class(3)});
+  using Element = std::array<mpz_class, 4>;  // By 1, √2, √5, √10.
+  const auto product = [](const Element& x, const Element& y) -> Element {
+    return {x[0] * y[0] + 2 * x[1] * y[1] + 5 * x[2] * y[2] + 10 * x[3] * y[3],
+            x[0] * y[1] + x[1] * y[0] + 5 * (x[2] * y[3] + x[3] * y[2]),
+            x[0] * y[2] + x[2] * y[0] + 2 * (x[1] * y[3] + x[3] * y[1]),
+            x[0] * y[3] + x[3] * y[0] + x[1] * y[2] + x[2] * y[1]};
+  };
+  Element small{1, 0, 0, 0};
+  for (int n = 1; n < 16; ++n) {
+    for (int i = 0; i < 6; ++i) small = product(small, {-1, 1, 0, 0});
+    for (int i = 0; i < 4; ++i) small = product(small, {-2, 0, 1, 0});
+    for (int i = 0; i < 3; ++i) small = product(small, {-3, 0, 0, 1});
+    const FieldNumber one = field_number(five, std::vector<mpz_class>{1});
+    const FieldNumber root = field_number(five, std::vector<mpz_class>{0, 1});
+    EXPECT_EQ(products_agree(ProductPair<FieldNumber, FieldNumber>{in_field(small[2], small[3]), root,
+                                                                   in_field(-small[0], -small[1]), one},
+                             {}),
+              false)
+        << n;
+  }
+}
+
 TEST(TwoRings, OtherConjugatesDoNotCount) {
   // √2 and −√2 are conjugates; so are √3 and −√3.
   EXPECT_EQ(agree(in_ring(0, 1), in_field(1, 0), in_ring(1, 0), in_field(0, 1)), true);
