@@ -354,7 +354,7 @@ TEST(SecondCheckerOfComparisons, NumbersMayBeMuchCloserThanTheirConjugatesAreLar
   const exact::RealField cosines(100, 100, false);
   const exact::Algebraic small = exact::Algebraic(2) - cosines.cosine(1);
   exact::Algebraic power = 1;
-  for (int i = 0; i < 20; ++i) power = power * small;
+  for (int i = 0; i < 60; ++i) power = power * small;
   EXPECT_FALSE(is_one(exact::Algebraic(1) + power));
   EXPECT_FALSE(is_one(exact::Algebraic(1) + power * cosines.s()));
   EXPECT_TRUE(is_one(exact::Algebraic(1) + power - power));
