@@ -19,7 +19,6 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/isometries/identify.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"

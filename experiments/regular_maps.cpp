@@ -28,9 +28,8 @@
 /// darts, which the genus determines. All K of index at most N are found as follows. Some relators R are given, at
 /// first those of Δ; those K are looked for that contain them.
 ///
-/// * If a coset enumeration shows that Δ/⟨⟨R⟩⟩ is finite, this is one of the groups, or not, and K = ⟨⟨R⟩⟩ or K
-/// contains
-///   a conjugacy class of Δ/⟨⟨R⟩⟩, from which one element is added to R.
+/// * If a coset enumeration shows that Δ/⟨⟨R⟩⟩ is finite, this is one of the groups, or not, and K = ⟨⟨R⟩⟩ or K has a
+///   conjugacy class of Δ/⟨⟨R⟩⟩, from which one element is added to R.
 /// * If not, N + 1 words are taken from the incomplete table. Two of them, v and w, are equal in Δ/K, and v⁻¹w is in K:
 ///   each of these words is added to R, one after the other. Conjugates and inverses are left out, and those K that
 ///   contain a word which has been added before.

@@ -25,6 +25,12 @@ std::vector<unsigned long> primes_of(unsigned long n) {
   return primes;
 }
 
+unsigned long euler_phi(unsigned long n) {
+  unsigned long phi = n;
+  for (const unsigned long prime : primes_of(n)) phi -= phi / prime;
+  return phi;
+}
+
 /// The cyclotomic polynomial Π (1 − x^d)^μ(n/d), d | n, n > 1: the coefficients of 1, x, …, x^h, 2h its degree.
 std::vector<long> half_of_cyclotomic(unsigned long n, const std::vector<unsigned long>& primes, std::size_t h) {
   std::vector<long> series(h + 1);
@@ -48,11 +54,12 @@ std::vector<long> half_of_cyclotomic(unsigned long n, const std::vector<unsigned
 
 }  // namespace
 
+std::size_t degree_of_cosines(unsigned long n) { return n <= 2 ? 1 : euler_phi(n) / 2; }
+
 RealField::RealField(unsigned long p, unsigned long q, bool half_turns)
     : p_(p), q_(q), n_(std::lcm(4UL, std::lcm(q, half_turns ? 2 * p : p))) {
   const std::vector<unsigned long> primes = primes_of(n_);
-  std::size_t phi = n_;
-  for (const unsigned long prime : primes) phi -= phi / prime;
+  const std::size_t phi = euler_phi(n_);
   if (phi / 2 > kMaxDegree) {
     throw TooLarge{"the numbers of its tiles are of degree " + std::to_string(phi / 2) + ", more than " +
                    std::to_string(kMaxDegree)};
@@ -224,7 +231,7 @@ RealNumber real_number(const Algebraic& x) {
   if (x.is_integer()) return real_number(x.u_.empty() ? mpz_class(0) : x.u_[0]);
   // Cosines are at most 2, and so are their conjugates; those of s are roots of the conjugates of s².
   const std::size_t bits_of_s = (sum_bits(x.field_->square_of_s()) + 1) / 2 + 1;
-  return {2 * x.field_->degree(), std::max(sum_bits(x.u_) + 1, sum_bits(x.v_) + 1 + bits_of_s) + 1,
+  return {x.field_->n(), x.v_.empty() ? 1U : 2U, std::max(sum_bits(x.u_) + 1, sum_bits(x.v_) + 1 + bits_of_s) + 1,
           [x](mp_bitcnt_t k) {
             const Approximation found = x.approximation(k);
             return Approximation{found.value >> k, (found.error >> k) + 2};

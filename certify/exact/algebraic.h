@@ -15,6 +15,9 @@ class Algebraic;
 /// x_0 + Σ x_k 2cos(2πk/n), k >= 1.
 using Cosines = Integers;
 
+/// The degree of ℚ(2cos(2π/n)). O(√n).
+[[nodiscard]] std::size_t degree_of_cosines(unsigned long n);
+
 /// ℤ[2cos(2π/n), s] for regular p-gons with the angles 2π/q. With d_m = 2 sin(π/m), s = d_p d_q sinh ρ and so
 /// s² = (2 − 2cos(2π/q))(2cos(2π/p) + 2cos(2π/q)).
 class RealField {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 
 /// Section 20: two surfaces that are isometric, or not.
@@ -18,12 +19,10 @@ class Comparison {
   /// Whether xy = x′y′, x and x′ of one field, y and y′ of another. Throws TooLarge.
   bool agree(const RealNumber& x, const RealNumber& y, const RealNumber& other_x, const RealNumber& other_y) {
     const std::size_t bits = std::max(x.bits + y.bits, other_x.bits + other_y.bits) + 1;
-    const RealNumber& from = x.degree > 1 ? x : other_x;  // Integers are in every field.
-    const RealNumber& to = y.degree > 1 ? y : other_y;
-    const std::size_t degree = from.field == to.field ? from.degree : from.degree * to.degree;
+    const std::size_t degree = degree_of_both(x, y, other_x, other_y);
     if (bits > kMostBitsOfAComparison / degree) throw TooLarge{"the numbers are too large to be compared exactly"};
     for (std::size_t k = 2 * bits + 64;; k *= 2) {
-      const std::size_t cost = k * (x.degree + y.degree + 4);
+      const std::size_t cost = k * (work_of(x) + work_of(y) + work_of(other_x) + work_of(other_y));
       if (cost > bits_left_) throw TooLarge{"the numbers take too much work to be compared exactly"};
       bits_left_ -= cost;
       const Approximation p = product(x.approximation(k), y.approximation(k));
@@ -37,6 +36,18 @@ class Comparison {
   }
 
  private:
+  static std::size_t degree_of_both(const RealNumber& x, const RealNumber& y, const RealNumber& other_x,
+                                    const RealNumber& other_y) {
+    // Integers are in every field.
+    const RealNumber& from = x.field.empty() ? other_x : x;
+    const RealNumber& to = y.field.empty() ? other_y : y;
+    const std::size_t of_x = std::max(x.degree, other_x.degree);
+    const std::size_t of_y = std::max(y.degree, other_y.degree);
+    return degree_of_cosines(std::lcm(from.n, to.n)) * (from.field == to.field ? std::max(of_x, of_y) : of_x * of_y);
+  }
+
+  static std::size_t work_of(const RealNumber& x) { return degree_of_cosines(x.n) * x.degree + 1; }
+
   /// Of numbers times 2^k, so that the product is times 2^2k.
   static Approximation product(const Approximation& x, const Approximation& y) {
     return {x.value * y.value, abs(x.value) * y.error + abs(y.value) * x.error + x.error * y.error};
@@ -45,8 +56,27 @@ class Comparison {
   std::size_t bits_left_ = kMostBitsOfAll;
 };
 
-/// Of each list: every length is compared with all of the other one.
-constexpr std::size_t kMostGeodesics = 30'000;
+/// The lower ends of the lengths of a list, or the upper ones, in order.
+std::vector<mpq_class> ends(const GeodesicsDocument& list, std::size_t which) {
+  std::vector<mpq_class> result;
+  for (const ClosedGeodesic& geodesic : list.geodesics) result.push_back(geodesic.length.at(which));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// How many of them are not greater.
+auto at_most(const std::vector<mpq_class>& ends, const mpq_class& length) {
+  return std::upper_bound(ends.begin(), ends.end(), length) - ends.begin();
+}
+
+/// Whether the first surface certainly has more closed geodesics up to some length.
+bool has_more(const GeodesicsDocument& first, const GeodesicsDocument& other) {
+  const std::vector<mpq_class> certain = ends(first, 1);
+  const std::vector<mpq_class> possible = ends(other, 0);
+  return std::any_of(certain.begin(), certain.end(), [&](const mpq_class& length) {
+    return length <= other.up_to && at_most(certain, length) > at_most(possible, length);
+  });
+}
 
 }  // namespace
 
@@ -65,18 +95,6 @@ void expect_conjugate(const Traces& from, const Traces& to) {
 }
 
 bool counts_differ(const GeodesicsDocument& first, const GeodesicsDocument& other) {
-  if (std::max(first.geodesics.size(), other.geodesics.size()) > kMostGeodesics)
-    throw TooLarge{"the lists are too long for this checker"};
-  const auto has_more = [](const GeodesicsDocument& s, const GeodesicsDocument& t) {
-    return std::any_of(s.geodesics.begin(), s.geodesics.end(), [&](const ClosedGeodesic& geodesic) {
-      const mpq_class& length = geodesic.length[1];
-      const auto count = [&](const GeodesicsDocument& list, std::size_t end) {
-        return std::count_if(list.geodesics.begin(), list.geodesics.end(),
-                             [&](const ClosedGeodesic& g) { return g.length.at(end) <= length; });
-      };
-      return length <= t.up_to && count(s, 1) > count(t, 0);
-    });
-  };
   return has_more(first, other) || has_more(other, first);
 }
 

@@ -20,8 +20,7 @@ namespace epsnet::exact {
 /// Asks rules in their order, and throws Refutation or TooLarge unless they are verified.
 using AskRules = std::function<void(const std::vector<Rule>&)>;
 
-/// Whether one of two surfaces certainly has more closed geodesics up to some length than the other one. Throws
-/// TooLarge.
+/// Whether one of two surfaces certainly has more closed geodesics up to some length than the other one. O(n log n).
 [[nodiscard]] bool counts_differ(const GeodesicsDocument& first, const GeodesicsDocument& other);
 
 template <class R, class Q>

@@ -32,15 +32,16 @@ struct Approximation {
 
 /// A real algebraic integer, to be compared with others of another field (docs/proof.md, Lemma 45).
 struct RealNumber {
-  std::size_t degree = 1;  ///< Of a field that contains it, at most.
+  unsigned long n = 1;     ///< It is in an extension of ℚ(2cos(2π/n)),
+  std::size_t degree = 1;  ///< of this degree at most.
   std::size_t bits = 1;    ///< Its conjugates are at most 2^bits.
   /// 2^k times the number.
   std::function<Approximation(mp_bitcnt_t k)> approximation;
-  Integers field;  ///< Numbers of which these are equal are in one field of that degree. Empty: that of the rationals.
+  Integers field;  ///< Numbers of which these are equal are in one such extension. Empty: an integer.
 };
 
 inline RealNumber real_number(const mpz_class& n) {
-  return {1, mpz_sizeinbase(n.get_mpz_t(), 2), [n](mp_bitcnt_t k) { return Approximation{n << k, 0}; }, {}};
+  return {1, 1, mpz_sizeinbase(n.get_mpz_t(), 2), [n](mp_bitcnt_t k) { return Approximation{n << k, 0}; }, {}};
 }
 
 /// k such that 2^k is not less than the sum of the absolute values.

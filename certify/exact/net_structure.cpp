@@ -59,6 +59,9 @@ void NetStructure::expect_path(const std::vector<Index>& word, Index from, Index
   if (tile != to) throw Malformed("a word ends in a wrong tile");
 }
 
+/// As many as words of a file have in all.
+constexpr std::size_t kMostLettersOfGenerators = 10'000'000;
+
 void NetStructure::expect_paths(const std::vector<std::vector<Index>>& paths) const {
   if (paths.size() != net_.tile_count()) throw Malformed("paths: not one for each tile");
   for (Index t = 0; t < paths.size(); ++t) expect_path(paths[t], 0, t);
@@ -91,8 +94,11 @@ std::vector<std::vector<Index>> NetStructure::paths() const {
 
 std::vector<std::vector<Index>> NetStructure::generators(const std::vector<std::vector<Index>>& paths) const {
   std::vector<std::vector<Index>> result;
+  std::size_t letters = 0;
   for (Index s = 0; s < sides(); ++s) {
     if (partner(s) < s) continue;
+    letters += paths[tile_of(s)].size() + paths[tile_of(partner(s))].size();
+    if (letters > kMostLettersOfGenerators) throw TooLarge{"the words of the generators are too long"};
     std::vector<Index>& word = result.emplace_back(paths[tile_of(s)]);
     word.push_back(s);
     const std::vector<Index>& back = paths[tile_of(partner(s))];

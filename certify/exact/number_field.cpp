@@ -305,7 +305,7 @@ Interval enclosure(const FieldNumber& x) {
 
 RealNumber real_number(const FieldNumber& x) {
   if (x.is_integer()) return real_number(x.x_.empty() ? mpz_class(0) : x.x_[0]);
-  return {x.field_->degree(), sum_bits(x.x_) + (x.x_.size() - 1) * x.field_->bits_of_roots(),
+  return {1, x.field_->degree(), sum_bits(x.x_) + (x.x_.size() - 1) * x.field_->bits_of_roots(),
           [x](mp_bitcnt_t k) { return x.field_->approximation(x.x_, k); }, x.field_->name()};
 }
 

@@ -5,6 +5,7 @@
 #else
 #include <acb_poly.h>
 #endif
+#include <bit>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -106,9 +107,12 @@ Polynomial RegularRing::polynomial(std::span<const PowerOfZeta> terms) const {
 
 RegularRing::Roots RegularRing::roots() const {
   const std::lock_guard lock(mutex_);
-  const auto [found, is_new] = roots_.try_emplace(Precision::bits());
+  // Few precisions, so that few are kept.
+  const auto bits = static_cast<slong>(std::bit_ceil(static_cast<std::uint64_t>(Precision::bits())));
+  const auto [found, is_new] = roots_.try_emplace(bits);
   Roots& roots = found->second;
   if (is_new) {
+    const Precision scope(bits);
     roots.zeta = root_of_unity(1, order_);
     roots.s = sqrt(real(value_at(square_of_s_, roots.zeta)));
   }

@@ -38,14 +38,11 @@ class RegularRing {
   [[nodiscard]] Polynomial polynomial(std::span<const PowerOfZeta> terms) const;
   /// Whether the polynomial, of degree less than order/2, is 0 at ζ.
   [[nodiscard]] bool is_zero(const Polynomial& x) const;
-  /// Of ℚ(ζ).
-  [[nodiscard]] std::uint64_t degree() const { return static_cast<std::uint64_t>(fmpz_poly_degree(cyclotomic_.get())); }
-
   struct Roots {
     ComplexBall zeta;
     Ball s;
   };
-  /// ζ and s, to as many bits as balls have. For any number of threads.
+  /// ζ and s, to as many bits as balls have at least. For any number of threads.
   [[nodiscard]] Roots roots() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <flint/ulong_extras.h>
 
 namespace epsnet::certify {
 namespace {
@@ -32,25 +33,29 @@ std::uint64_t storage_bits(const Polynomial& x) {
 
 RealNumber real_number(const mpz_class& x) {
   const std::uint64_t bits = mpz_sizeinbase(x.get_mpz_t(), 2);
-  return {1, bits, bits};
+  return {1, 1, bits, bits};
 }
 
 RealNumber real_number(const RegularNumber& x) {
   // |ζ| = 1 for all conjugates of ζ, and those of s are roots of the conjugates of s².
   const std::uint64_t s = sum_bits(x.ring->square_of_s()) / 2 + 1;
-  return {x.ring->degree(), std::max(sum_bits(x.u), sum_bits(x.v) + s) + 1, storage_bits(x.u) + storage_bits(x.v)};
+  const std::uint64_t degree = x.ring->is_zero(x.v) ? 1 : 2;
+  return {x.ring->order(), degree, std::max(sum_bits(x.u), sum_bits(x.v) + s) + 1,
+          storage_bits(x.u) + storage_bits(x.v)};
 }
 
 RealNumber real_number(const FieldNumber& x) {
   const auto degree = static_cast<std::uint64_t>(x.field->degree());
-  return {degree, sum_bits(x.re) + (degree - 1) * root_bits(x.field->f()), storage_bits(x.re)};
+  return {1, degree, sum_bits(x.re) + (degree - 1) * root_bits(x.field->f()), storage_bits(x.re)};
 }
 
-bool in_one_field(const RegularNumber& x, const RegularNumber& y) {
+std::uint64_t cyclotomic_degree(std::uint64_t order) { return order <= 2 ? 1 : n_euler_phi(order) / 2; }
+
+bool of_one_ring(const RegularNumber& x, const RegularNumber& y) {
   return x.ring->order() == y.ring->order() && are_equal(x.ring->square_of_s(), y.ring->square_of_s());
 }
 
-bool in_one_field(const FieldNumber& x, const FieldNumber& y) {
+bool of_one_ring(const FieldNumber& x, const FieldNumber& y) {
   return are_equal(x.field->f(), y.field->f()) && x.field->between() == y.field->between();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <gmpxx.h>
+#include <numeric>
 #include <optional>
 
 #include "certify/numbers/budget.h"
@@ -24,7 +25,8 @@ struct ProductPair {
 
 /// What is known of a real number of a ring: an algebraic integer.
 struct RealNumber {
-  std::uint64_t degree;   ///< Of a field that contains it, at most.
+  std::uint64_t order;    ///< It is in an extension of ℚ(ζ) ∩ ℝ, ζ a root of unity of this order,
+  std::uint64_t degree;   ///< of this degree at most.
   std::uint64_t bits;     ///< Its conjugates are at most 2^bits.
   std::uint64_t storage;  ///< The bits of all its integers, about.
 };
@@ -33,14 +35,16 @@ struct RealNumber {
 [[nodiscard]] RealNumber real_number(const RegularNumber& x);
 [[nodiscard]] RealNumber real_number(const FieldNumber& x);
 
-/// Whether the numbers of two rings are known to be in one field of the degree of each.
+/// Whether two numbers are known to be of one ring.
 template <class X, class Y>
-[[nodiscard]] bool in_one_field(const X& /*x*/, const Y& /*y*/) {
+[[nodiscard]] bool of_one_ring(const X& /*x*/, const Y& /*y*/) {
   return false;
 }
-[[nodiscard]] inline bool in_one_field(const mpz_class& /*x*/, const mpz_class& /*y*/) { return true; }
-[[nodiscard]] bool in_one_field(const RegularNumber& x, const RegularNumber& y);
-[[nodiscard]] bool in_one_field(const FieldNumber& x, const FieldNumber& y);
+[[nodiscard]] bool of_one_ring(const RegularNumber& x, const RegularNumber& y);
+[[nodiscard]] bool of_one_ring(const FieldNumber& x, const FieldNumber& y);
+
+/// The degree of ℚ(ζ) ∩ ℝ, ζ a root of unity of this order.
+[[nodiscard]] std::uint64_t cyclotomic_degree(std::uint64_t order);
 
 /// Its value, with a relative error of 2^−precision of the bound of its conjugates, about.
 [[nodiscard]] inline Ball value(const mpz_class& x) { return Ball::rounded(x); }
@@ -78,10 +82,14 @@ template <class X, class Y>
   const RealNumber other_y = real_number(pair.other_y);
   const std::uint64_t bits = std::max(x.bits + y.bits, other_x.bits + other_y.bits) + 1;
   const std::uint64_t storage = x.storage + y.storage + other_x.storage + other_y.storage;
-  const std::uint64_t degree = in_one_field(pair.x, pair.y) ? x.degree : x.degree * y.degree;
+  const std::uint64_t of_x = std::max(x.degree, other_x.degree);
+  const std::uint64_t of_y = std::max(y.degree, other_y.degree);
+  const std::uint64_t degree = cyclotomic_degree(std::lcm(x.order, y.order)) *
+                               (of_one_ring(pair.x, pair.y) ? std::max(of_x, of_y) : of_x * of_y);
   return is_zero(degree, bits, [&] {
     const auto precision = static_cast<std::uint64_t>(Precision::bits());
-    budget.spend(function_work(precision) + product_work(storage), x.degree + y.degree);
+    budget.spend(function_work(precision) + product_work(storage),
+                 cyclotomic_degree(x.order) * of_x + cyclotomic_degree(y.order) * of_y);
     return value(pair.x) * value(pair.y) - value(pair.other_x) * value(pair.other_y);
   });
 }

@@ -1,5 +1,3 @@
-#include "netgen/isometries/identify.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -7,6 +5,7 @@
 
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/invariants.h"
+#include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/regular_maps.h"
 
 namespace epsnet {

@@ -19,7 +19,7 @@
 ///
 /// That they are isometries is decided exactly. That there is no other one is computed with numbers of 256 bits;
 /// `certified_isometries` proves it. `isometric` proves that two surfaces are isometric, or that they are not, by their
-/// closed geodesics.
+/// closed geodesics. `identify` finds which known surface one is.
 namespace epsnet {
 
 /// An isometry between two surfaces S and T, as what it does with the group of S: f lifts to an isometry of the plane,
@@ -135,15 +135,35 @@ struct IsometricAnswer {
 };
 
 /// Returns what a comparison file says of an isometry from one surface to another, given a net of each; not proved.
-/// Throws LimitError if no elements are found of which the axes cross.
+/// O(letters of the images). Throws LimitError if no elements are found of which the axes cross.
 [[nodiscard]] certify::ComparisonDocument isometry_document(const Surface& first, const Surface& second,
                                                             const SurfaceIsometry& isometry, certify::NetDocument net,
                                                             certify::NetDocument other_net);
 
 /// Returns an isometry from one surface to another, if there is one: one that preserves the orientation, if there is
-/// one of those. Otherwise it looks for numbers of closed geodesics that differ, up to lengths that are 2 longer than
-/// those that `isometries` needs. Throws as `isometries`.
+/// one of those. Otherwise it looks for numbers of closed geodesics that differ, or for closed geodesics that cross
+/// otherwise, up to lengths that are 2 longer than those that `isometries` needs. Throws as `isometries`; time is about
+/// that of `isometries` for the first surface, with two spectra and their certificate.
 [[nodiscard]] IsometricAnswer isometric(const Surface& first, const Surface& second,
                                         const IsometryOptions& options = {});
+
+// Which surface is this? In identify.cpp.
+
+/// A surface that has names, and whether it is isometric to a given one.
+struct NamedAnswer {
+  std::vector<std::string> names;  ///< For named_surface; the first one is the one to say.
+  std::string compared;            ///< The one of them with which the surface was compared at last.
+  IsometricAnswer answer;          ///< From the given surface to named_surface(compared).
+};
+
+/// Returns the names of the known surfaces of a genus, those of each surface together: names_of_genus, then those of
+/// its regular maps, the map with the most rotations first.
+[[nodiscard]] std::vector<std::vector<std::string>> known_surfaces(std::uint32_t genus);
+
+/// Compares a surface with the known ones of its genus, up to the one to which it is isometric, which is then the last
+/// of the list: first with those that have as many closed geodesics of the length of its systole, and as many
+/// isometries. Throws as `isometric`; the time is about that of one comparison with a surface to which it is isometric,
+/// and a verified list of systoles for each known surface if there is none.
+[[nodiscard]] std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions& options = {});
 
 }  // namespace epsnet

@@ -11,7 +11,6 @@
 #include "certify/base/text.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
-#include "netgen/isometries/identify.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"

@@ -6,7 +6,6 @@
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/isometries/identify.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pants/pants.h"

@@ -860,6 +860,14 @@ def isometries_of_long_words():
 
 
 @kind
+def isometries_of_long_paths():
+    """A path of hundreds of thousands of letters, on both sides of each of 120 generators."""
+    result = {"format": "epsnet-isometries", "version": 1, "net": regular_net(60), "up_to": "0.001", "geodesics": [],
+              "clusters": [], "order": 1, "isometries": [], "pair": [[0], [1]], "cocycle": [0] * 120}
+    return {**result, "paths": [filled([], [0], result)]}
+
+
+@kind
 def isometries_of_many_geodesics():
     """A spectrum with thousands of crossing points, none of which tells that there are no more isometries."""
     bolza = ["regular", "--genus", "2"]
@@ -905,6 +913,15 @@ def comparison_by_a_far_lift():
     back = [partner[s] for s in reversed(word)]
     result["images"] = [word + image + back for image in result["images"]]
     return result
+
+
+@kind
+def comparison_of_long_paths():
+    """A path of a hundred thousand letters, on both sides of each of a thousand generators."""
+    net = regular_net(500)
+    result = {"format": "epsnet-comparison", "version": 1, "claim": "isometric", "net": net, "other_net": net,
+              "preserves_orientation": True, "pair": [[0], [1]], "images": [[0], [1]] + [[s] for s in range(1000)]}
+    return {**result, "paths": [filled([], [0], result)]}
 
 
 @kind

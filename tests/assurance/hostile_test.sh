@@ -62,8 +62,8 @@ expect collar-core-that-cancels-in-450000-letters VERIFIED
 expect collar-in-a-tile-of-long-coordinates 'REFUTED: collars'
 expect geodesics-300-of-250-letters ''
 expect spectrum-up-to-9999-digits UNDECIDED
-expect eigenvalues-of-many-counts UNDECIDED
-expect eigenvalues-of-many-counts-by-vertices UNDECIDED
+expect eigenvalues-of-many-counts VERIFIED
+expect eigenvalues-of-many-counts-by-vertices VERIFIED
 expect eigenvalues-of-many-intervals 'REFUTED: enclosures'
 expect eigenvalues-of-a-matrix-that-an-order-fills UNDECIDED
 expect eigenvalues-of-a-matrix-in-the-order-of-its-sides ''
@@ -72,9 +72,11 @@ expect eigenvalues-of-a-thousand-functions-of-order-1 ''
 expect eigenvalues-of-many-rows-of-functions UNDECIDED
 expect isometries-of-many-rows VERIFIED
 expect isometries-of-long-words UNDECIDED
+expect isometries-of-long-paths UNDECIDED
 expect isometries-of-many-geodesics UNDECIDED
 expect isometries-of-powers UNDECIDED
 expect comparison-of-long-words UNDECIDED
+expect comparison-of-long-paths UNDECIDED
 expect comparison-by-a-far-lift VERIFIED
 expect comparison-of-many-geodesics UNDECIDED
 expect pants-of-a-random-path 'REFUTED: pants'

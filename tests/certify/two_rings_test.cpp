@@ -143,8 +143,17 @@ TEST(TwoRings, BoundsHoldForAllConjugates) {
   // The square of s is 1000003.
   const RegularRing large(8, std::array<PowerOfZeta, 1>{{{1'000'003, 0}}});
   EXPECT_GE(real_number(regular_number(large, {}, std::array<PowerOfZeta, 1>{{{1, 0}}})).bits, 10U);
-  EXPECT_EQ(real_number(in_ring(1, 1)).degree, 4U);
+}
+
+TEST(TwoRings, DegreesAreThoseOfRealNumbers) {
   EXPECT_EQ(real_number(mpz_class(1)).degree, 1U);
+  EXPECT_EQ(real_number(in_ring(1, 1)).order, 8U);
+  EXPECT_EQ(real_number(in_ring(1, 1)).degree, 1U);
+  EXPECT_EQ(real_number(regular_number(ring(), {}, std::array<PowerOfZeta, 1>{{{1, 0}}})).degree, 2U);
+  EXPECT_EQ(real_number(in_field(1, 1)).degree, 2U);
+  EXPECT_EQ(cyclotomic_degree(1), 1U);
+  EXPECT_EQ(cyclotomic_degree(8), 2U);
+  EXPECT_EQ(cyclotomic_degree(21), 6U);
 }
 
 TEST(TwoRings, WhatTakesTooManyBitsIsOpen) {

@@ -1,5 +1,3 @@
-#include "netgen/isometries/identify.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -10,6 +8,7 @@
 
 #include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
+#include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"

@@ -22,7 +22,7 @@ constexpr const char* kOther = "other";
 constexpr const char* kIsometric = "isometric";
 constexpr const char* kDifferent = "different";
 
-/// Of balls of crossing points: more of them say no more, as points and angles that agree to so many bits are equal.
+/// Of balls of crossing points. What agrees to so many bits is hardly ever different, and all is compared again.
 constexpr slong kFirstBitsOfCrossings = 128;
 constexpr slong kMostBitsOfCrossings = 512;
 
@@ -175,7 +175,7 @@ class ComparisonCheck {
     if (sign == 0) return {kIsometric, Verdict::refuted, "the axes of the pair do not cross"};
     std::vector<ElementPair> pairs;
     for (const auto& word : pair) pairs.push_back({word, images[pairs.size()]});
-    for (auto& word : generator_words(SurfaceSides(document_.net.surface), paths)) {
+    for (auto& word : generator_words(SurfaceSides(document_.net.surface), paths, run_.budget())) {
       pairs.push_back({std::move(word), images[pairs.size()]});
     }
     const auto conjugate = are_conjugate(crossings, other, pairs, run_.budget());

@@ -70,7 +70,9 @@ struct Claim;
 /// and of surfaces that are different those of the first spectrum (geodesics/fields.h), and then
 ///
 /// * `other`: the other spectrum is verified;
-/// * `different`: the genera differ; or, for some length, the number of primitive closed geodesics that are not longer.
+/// * `different`: the genera differ; or, for some length, the number of primitive closed geodesics that are not longer;
+/// or
+///   no isometry takes the points where they cross on the one surface to those on the other one.
 ///
 /// Time: that of the rules of both nets, or both spectra, and the letters of all images, exactly.
 [[nodiscard]] RuleNames own_rules(const ComparisonDocument& document);

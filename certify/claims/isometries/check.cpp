@@ -120,7 +120,7 @@ class IsometriesCheck {
     const auto sign = crossing_sign(parts_.crossings, document_.pair[0], document_.pair[1], budget_);
     if (sign == 0) return report(kIsometries, Verdict::refuted, "the axes of the pair do not cross");
     std::vector<Word> generators = document_.pair;
-    for (Word& word : generator_words(sides_, document_.paths)) generators.push_back(std::move(word));
+    for (Word& word : generator_words(sides_, document_.paths, budget_)) generators.push_back(std::move(word));
     for (std::size_t i = 0; sign && i < document_.isometries.size(); ++i) {
       const auto& [preserves_orientation, images] = document_.isometries[i];
       std::vector<ElementPair> pairs;

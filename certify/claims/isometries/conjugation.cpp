@@ -36,13 +36,16 @@ Problem loops_problem(const SurfaceSides& sides, const std::vector<SideWord>& wo
   return std::nullopt;
 }
 
-std::vector<SideWord> generator_words(const SurfaceSides& sides, const std::vector<SideWord>& paths) {
+std::vector<SideWord> generator_words(const SurfaceSides& sides, const std::vector<SideWord>& paths,
+                                      const Budget& budget) {
   std::vector<SideWord> result;
   for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
     if (s > sides.partner[s]) continue;
+    const SideWord& back = paths[sides.tile[sides.partner[s]]];
+    // Callers may copy them once.
+    budget.spend(memory_work(2 * sizeof(std::uint32_t)), paths[sides.tile[s]].size() + 1 + back.size());
     SideWord& word = result.emplace_back(paths[sides.tile[s]]);
     word.push_back(s);
-    const SideWord& back = paths[sides.tile[sides.partner[s]]];
     std::transform(back.rbegin(), back.rend(), std::back_inserter(word), [&](auto t) { return sides.partner[t]; });
   }
   return result;

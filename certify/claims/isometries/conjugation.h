@@ -24,8 +24,10 @@ using SideWord = std::vector<std::uint32_t>;
 /// What is wrong with some words from tile 0 to itself, of which there should be so many.
 [[nodiscard]] Problem loops_problem(const SurfaceSides& sides, const std::vector<SideWord>& words, std::size_t count);
 
-/// The generators g_s = paths[t] · s · paths[t']⁻¹ of the surface's group, by side s less than its partner.
-[[nodiscard]] std::vector<SideWord> generator_words(const SurfaceSides& sides, const std::vector<SideWord>& paths);
+/// The generators g_s = paths[t] · s · paths[t']⁻¹ of the surface's group, by side s less than its partner. O(their
+/// letters), which may be as many as sides times letters of paths; BudgetSpent, if that is too much memory.
+[[nodiscard]] std::vector<SideWord> generator_words(const SurfaceSides& sides, const std::vector<SideWord>& paths,
+                                                    const Budget& budget);
 
 /// Words from tile 0 to itself; the second one is perhaps in another group.
 struct ElementPair {
