@@ -5,6 +5,7 @@
 
 #include "certify/claims/bound/fields.h"
 #include "certify/claims/comparison/fields.h"
+#include "certify/claims/curves/fields.h"
 #include "certify/claims/distance/fields.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/geodesics/fields.h"

@@ -6,6 +6,7 @@
 
 #include "certify/claims/bound/document.h"
 #include "certify/claims/comparison/document.h"
+#include "certify/claims/curves/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
@@ -18,7 +19,7 @@ namespace epsnet::certify {
 
 /// The contents of a file that can be checked. What is needed for each kind of claim follows from this list.
 using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument,
-                                   IsometriesDocument, PantsDocument, ComparisonDocument>;
+                                   IsometriesDocument, PantsDocument, ComparisonDocument, CurvesDocument>;
 
 /// Pointers to the documents of that list.
 template <class Documents = ClaimDocument>

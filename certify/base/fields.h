@@ -27,7 +27,9 @@
 /// | std::string | a string |
 /// | bool | true or false |
 /// | std::vector<std::uint32_t> | a word, of which the length is limited |
+/// | std::uint64_t, std::int64_t | an integer |
 /// | std::vector<double> | numbers, on one line |
+/// | std::vector<std::int64_t> | such integers, on one line |
 /// | std::vector<T> | an array of T; each has a line, unless it is part of another one |
 /// | Format, Version, List | see below |
 namespace epsnet::certify {

@@ -105,6 +105,20 @@ class Reader {
     fail(in_quotes(text) + " found", kExpected);
   }
 
+  void read(std::uint64_t& integer) { read_integer(integer, "an integer >= 0 without sign, fraction or exponent"); }
+  void read(std::int64_t& integer) { read_integer(integer, "an integer without fraction or exponent"); }
+
+  template <class Integer>
+  void read_integer(Integer& integer, const char* expected) {
+    const std::string_view text = token(expected);
+    const char* const end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, integer);
+    const bool digits = last == end && (text == "0" || text[text.front() == '-' ? 1 : 0] != '0');
+    if (digits && error == std::errc()) return;
+    if (digits && error == std::errc::result_out_of_range) fail("the integer " + in_quotes(text) + " is too large");
+    fail(in_quotes(text) + " found", expected);
+  }
+
   void read(double& number) {
     constexpr const char* kExpected = "a finite binary64 number";
     const std::string_view text = token(kExpected);
@@ -168,6 +182,11 @@ class Reader {
   void read(std::vector<double>& numbers) {
     open('[', "an array of numbers");
     json_.elements([&](std::size_t) { read(numbers.emplace_back()); });
+  }
+
+  void read(std::vector<std::int64_t>& integers) {
+    open('[', "an array of integers");
+    json_.elements([&](std::size_t) { read(integers.emplace_back()); });
   }
 
   void read(const List<std::vector<std::uint32_t>>& list) {

@@ -99,6 +99,8 @@ class Writer {
 
  private:
   void write(std::uint32_t index) { buffer_.number(index); }
+  void write(std::uint64_t integer) { buffer_.number(integer); }
+  void write(std::int64_t integer) { buffer_.number(integer); }
   void write(double number) { buffer_.number(number); }
   void write(bool truth) { buffer_.text(truth ? "true" : "false"); }
   void write(const mpq_class& rational) { buffer_.string(rational.get_str()); }
