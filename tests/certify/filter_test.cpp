@@ -290,12 +290,12 @@ TEST_F(Filtered, NothingIsSaidOfNormsAndGapsBelowTheLeast) {
 
 TEST_F(Filtered, EachOfTheFourDifferencesMustExceedTheLeastNorm) {
   constexpr std::array<std::array<std::size_t, 2>, 4> kDifferences{{{3, 1}, {2, 0}, {3, 0}, {2, 1}}};
-  constexpr std::array<Point, 4> kDirections{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  const std::array<Point, 4> directions{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   for (const auto& difference : kDifferences) {
     const std::size_t from = difference[0];
     const std::size_t to = difference[1];
     int negative = 0;
-    for (const Point direction : kDirections) {
+    for (const Point direction : directions) {
       const auto corners = [&](double s) {
         std::array<Point, 4> z{{{-0.5, 0}, {0, -0.5}, {0.5, 0.25}, {0.125, 0.5}}};
         z[to] = {0, 0};
