@@ -15,6 +15,7 @@
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
 #include "netgen/base/options.h"
+#include "netgen/curves/closed_curves.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"

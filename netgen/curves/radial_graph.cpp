@@ -213,9 +213,7 @@ ClosedWalk RadialGraph::canonical(ClosedWalk walk) const {
 }
 
 ClosedWalk RadialGraph::walk_of(const Word& word) const {
-  if (word.empty()) return {};
-  const TileId tile = surface_.tile_of_side(word.front());
-  if (!is_path(surface_, tile, tile, word)) throw SurfaceError("the word is not a path from a tile to itself");
+  if (const auto problem = closed_path_problem(surface_, word)) throw SurfaceError(*problem);
   ClosedWalk walk;
   for (const SideId s : word) {
     if (!passage_[s]) continue;
@@ -251,14 +249,13 @@ Word RadialGraph::path(const std::vector<std::uint32_t>& sides) const {
   return word;
 }
 
-std::array<Word, 2> RadialGraph::crossing_paths(const ClosedWalk& first, const ClosedWalk& second,
-                                                const WalkCrossing& crossing) const {
-  // Both from the centre where they are, or from that before the vertex where they are.
+RadialGraph::CrossingPaths RadialGraph::crossing_paths(const ClosedWalk& first, const ClosedWalk& second,
+                                                       const WalkCrossing& crossing) const {
   const std::size_t i = crossing.first - crossing.first % 2;
   const std::size_t j = crossing.second - crossing.second % 2;
-  const Word way = is_even(crossing.first) ? Word() : path(sides_around(first[i], second[j]));
+  Word way = is_even(crossing.first) ? Word() : path(sides_around(first[i], second[j]));
   const Word other = concatenated(surface_, way, path(sides_of(second, j)));
-  return {path(sides_of(first, i)), concatenated(surface_, other, epsnet::reversed(surface_, way))};
+  return {path(sides_of(first, i)), concatenated(surface_, other, epsnet::reversed(surface_, way)), std::move(way)};
 }
 
 std::uint32_t RadialGraph::power_of(const ClosedWalk& walk) {
@@ -358,7 +355,9 @@ std::vector<WalkCrossing> RadialGraph::crossings(const ClosedWalk& first, const 
 }
 
 std::vector<WalkCrossing> RadialGraph::self_crossings(const ClosedWalk& walk) const {
-  return all_crossings(walk, walk, true);
+  std::vector<WalkCrossing> result = all_crossings(walk, walk, true);
+  std::erase_if(result, [](const WalkCrossing& crossing) { return crossing.sign < 0; });
+  return result;
 }
 
 std::vector<std::int64_t> RadialGraph::homology(const ClosedWalk& walk) const {

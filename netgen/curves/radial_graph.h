@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -51,6 +50,8 @@ class RadialGraph {
   [[nodiscard]] ClosedWalk reversed(const ClosedWalk& walk) const;
   /// The sides of the polygon that a walk crosses, outward, one after the other, from the start of an outward edge on.
   [[nodiscard]] std::vector<std::uint32_t> sides_of(const ClosedWalk& walk, std::size_t start = 0) const;
+  /// The sides of the polygon that are crossed, outward, on the way around the vertex from one edge to another, the shorter way.
+  [[nodiscard]] std::vector<std::uint32_t> sides_around(std::uint32_t from, std::uint32_t to) const;
   /// A path from tile 0 to itself that crosses these sides of the polygon.
   [[nodiscard]] Word path(const std::vector<std::uint32_t>& sides) const;
   /// The greatest k such that a walk is a k-th power. Requires: not empty.
@@ -59,12 +60,17 @@ class RadialGraph {
   /// Where the closed geodesics of two primitive curves, of different classes up to direction, cross in any hyperbolic
   /// metric. O(nm) and the edges along which lifts are near each other.
   [[nodiscard]] std::vector<WalkCrossing> crossings(const ClosedWalk& first, const ClosedWalk& second) const;
-  /// Where the closed geodesic of a primitive curve crosses itself: each crossing twice, once for each of its passages
-  /// as the first one.
+  /// Where the closed geodesic of a primitive curve crosses itself: each crossing once, with the passage first that the
+  /// other one crosses from right to left.
   [[nodiscard]] std::vector<WalkCrossing> self_crossings(const ClosedWalk& walk) const;
   /// Closed paths from tile 0 that go once around two walks, so that their axes are lifts that cross as is said.
-  [[nodiscard]] std::array<Word, 2> crossing_paths(const ClosedWalk& first, const ClosedWalk& second,
-                                                   const WalkCrossing& crossing) const;
+  struct CrossingPaths {
+    Word first;   ///< From the last centre of the first walk that is not after the crossing.
+    Word second;  ///< From there,
+    Word way;     ///< along this path to the last such centre of the second one, around, and back.
+  };
+  [[nodiscard]] CrossingPaths crossing_paths(const ClosedWalk& first, const ClosedWalk& second,
+                                             const WalkCrossing& crossing) const;
 
   /// The class of a walk in the first homology group: by pair of sides, the lesser one of each, in their order, the
   /// coefficient of the curve that crosses this side once, outward.
@@ -101,8 +107,6 @@ class RadialGraph {
   void push_right(ClosedWalk& walk) const;
   [[nodiscard]] std::vector<WalkCrossing> all_crossings(const ClosedWalk& first, const ClosedWalk& second,
                                                        bool same) const;
-  /// The sides that are crossed on the way around the vertex from one edge to another, the shorter way.
-  [[nodiscard]] std::vector<std::uint32_t> sides_around(std::uint32_t from, std::uint32_t to) const;
 
   Surface surface_;
   ById<TileId, Word> paths_;  ///< By tile: from tile 0 to it, inside the polygon.

@@ -110,19 +110,7 @@ std::optional<UnprovedPants> own_pants(const Surface& surface) {
 /// Returns a closed path with its tile.
 ClosedPath closed_path(const Surface& surface, std::size_t number, const Word& word) {
   if (word.empty()) throw CurveError(number, "a path without letters is trivial");
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    const std::string letter = "letter " + std::to_string(i) + " is side " + to_string(word[i]);
-    if (word[i].number() >= surface.side_count()) {
-      throw CurveError(number, letter + ", the surface has " + std::to_string(surface.side_count()) + " sides");
-    }
-    const SideId before = word[i == 0 ? word.size() - 1 : i - 1];
-    if (before.number() >= surface.side_count()) continue;  // Its own turn comes.
-    const TileId tile = surface.tile_of_side(surface.partner(before));
-    if (surface.tile_of_side(word[i]) != tile) {
-      throw CurveError(number, letter + ", no side of tile " + to_string(tile) +
-                                   (i == 0 ? ", where the path ends" : ", where the letters before it lead"));
-    }
-  }
+  if (const auto problem = closed_path_problem(surface, word)) throw CurveError(number, *problem);
   return {surface.tile_of_side(word.front()), concatenated(surface, {}, word)};
 }
 

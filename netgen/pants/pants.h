@@ -19,8 +19,8 @@
 /// twists. docs/fenchel-nielsen.md says how, and has the conventions; docs/proof.md, section 19, is the proof.
 namespace epsnet {
 
-/// A curve is none from which pants can be cut: not closed, trivial, a power of another one, not simple, or not
-/// disjoint from the others. what() says which, and begins with the curve's number.
+/// A curve is not closed, or null-homotopic; or pants cannot be cut from it: it is a power of another one, not simple,
+/// or not disjoint from the others. what() says which, and begins with the curve's number.
 class CurveError : public Error {
  public:
   /// For curve `number`, counted from 0.

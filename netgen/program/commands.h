@@ -11,6 +11,7 @@
 
 #include "certify/check.h"
 #include "certify/claims/bound/document.h"
+#include "certify/claims/curves/document.h"
 #include "certify/claims/comparison/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
@@ -45,6 +46,7 @@ void add_embedded_disk_command(CLI::App& app, Job& chosen);
 void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
+void add_curves_command(CLI::App& app, Job& chosen);
 void add_eigenvalues_command(CLI::App& app, Job& chosen);
 void add_isometries_command(CLI::App& app, Job& chosen);
 void add_isometric_command(CLI::App& app, Job& chosen);
@@ -116,6 +118,8 @@ void add_distance(CLI::App& command, std::string& file);
 [[nodiscard]] Report comparison_report(const certify::ComparisonDocument& document);
 /// Returns the contents of a pants file, as lines and as an object.
 [[nodiscard]] Report pants_report(const certify::PantsDocument& document);
+/// Returns the contents of a curves file, as lines and as an object.
+[[nodiscard]] Report curves_report(const certify::CurvesDocument& document);
 /// Returns the contents of a distance file, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document);
 /// Returns the closed geodesics of a geodesics file about the net's surface, as layers of a picture. Throws JobError,

@@ -284,6 +284,7 @@ struct ClaimContents {
   Report operator()(const certify::IsometriesDocument& document) const { return isometries_report(document); }
   Report operator()(const certify::PantsDocument& document) const { return pants_report(document); }
   Report operator()(const certify::ComparisonDocument& document) const { return comparison_report(document); }
+  Report operator()(const certify::CurvesDocument& document) const { return curves_report(document); }
   Report operator()(const certify::NetDocument& net) const { return facts_report(net_info(net)); }
   template <class Document>
   Report operator()(const Document& document) const {
@@ -330,7 +331,7 @@ void add_info_command(CLI::App& app, Job& chosen) {
   CLI::App* info =
       app.add_subcommand("info",
                          "Describe the contents of a file: a surface, a net, closed geodesics, a distance, a "
-                         "diameter, eigenvalues, isometries, pants, a Dirichlet domain, a text to import.");
+                         "diameter, eigenvalues, isometries, pants, curves, a Dirichlet domain, a text to import.");
   add_input(*info, "FILE", shared->file, "any file that epsnet writes for itself or imports");
   add_json(*info, shared->json);
   info->footer("Example:\n  epsnet info net.json\n  epsnet info --json s.json");

@@ -354,6 +354,8 @@ class Surface {
 [[nodiscard]] Word path_between_tiles(const Surface& surface, TileId from, TileId to);
 /// Whether a word is a path from one tile to another.
 [[nodiscard]] bool is_path(const Surface& surface, TileId from, TileId to, const Word& word);
+/// Why a word is not a path from some tile to itself: its first letter that is none; nothing if it is one.
+[[nodiscard]] std::optional<std::string> closed_path_problem(const Surface& surface, const Word& word);
 
 /// A point of a surface, in the coordinates of a tile.
 struct BasePoint {

@@ -318,6 +318,23 @@ bool is_path(const Surface& surface, TileId from, TileId to, const Word& word) {
   return tile == to;
 }
 
+std::optional<std::string> closed_path_problem(const Surface& surface, const Word& word) {
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const std::string letter = "letter " + std::to_string(i) + " is side " + to_string(word[i]);
+    if (word[i].number() >= surface.side_count()) {
+      return letter + ", the surface has " + std::to_string(surface.side_count()) + " sides";
+    }
+    const SideId before = word[i == 0 ? word.size() - 1 : i - 1];
+    if (before.number() >= surface.side_count()) continue;  // Its own turn comes.
+    const TileId tile = surface.tile_of_side(surface.partner(before));
+    if (surface.tile_of_side(word[i]) != tile) {
+      return letter + ", no side of tile " + to_string(tile) +
+             (i == 0 ? ", where the path ends" : ", where the letters before it lead");
+    }
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 /// For every factor an upper bound of log2 of the norm of the product of those that come after it, computed in

@@ -1,0 +1,554 @@
+#include "netgen/curves/closed_curves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "certify/numbers/isometry.h"
+#include "netgen/base/disjoint_sets.h"
+#include "netgen/curves/radial_graph.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/pants/curve_system.h"
+#include "netgen/pants/pants.h"
+#include "netgen/surfaces/exact_isometries.h"
+
+namespace epsnet {
+namespace {
+
+using IntegerVector = std::vector<std::int64_t>;
+
+std::int64_t form_value(const std::vector<IntegerVector>& form, const IntegerVector& x, const IntegerVector& y) {
+  std::int64_t result = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] == 0) continue;
+    for (std::size_t j = 0; j < y.size(); ++j) result += x[i] * form[i][j] * y[j];
+  }
+  return result;
+}
+
+void add_multiple(IntegerVector& x, std::int64_t factor, const IntegerVector& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * y[i];
+}
+
+/// A symplectic basis of ℤ^2g for a skew form of determinant 1: a₁, b₁, a₂, b₂, …
+std::vector<IntegerVector> symplectic_basis(const std::vector<IntegerVector>& form) {
+  std::vector<IntegerVector> rest;
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    rest.emplace_back(form.size());
+    rest.back()[i] = 1;
+  }
+  std::vector<IntegerVector> result;
+  while (!rest.empty()) {
+    const IntegerVector a = rest.front();
+    rest.erase(rest.begin());
+    // Euclid's algorithm on the products with a, until one of them is left, ±1.
+    const auto product = [&](const IntegerVector& x) { return form_value(form, a, x); };
+    std::sort(rest.begin(), rest.end(), [&](const IntegerVector& x, const IntegerVector& y) {
+      return std::pair(product(x) == 0, std::abs(product(x))) < std::pair(product(y) == 0, std::abs(product(y)));
+    });
+    for (std::size_t i = 1; i < rest.size(); ++i) {
+      while (product(rest[i]) != 0 && std::abs(product(rest[0])) != 1) {
+        add_multiple(rest[0], -(product(rest[0]) / product(rest[i])), rest[i]);
+        std::swap(rest[0], rest[i]);
+      }
+    }
+    IntegerVector b = rest.front();
+    rest.erase(rest.begin());
+    if (product(b) < 0) {
+      for (std::int64_t& x : b) x = -x;
+    }
+    for (IntegerVector& x : rest) {
+      const std::int64_t with_a = form_value(form, a, x);
+      const std::int64_t with_b = form_value(form, b, x);
+      add_multiple(x, with_b, a);
+      add_multiple(x, -with_a, b);
+    }
+    result.push_back(a);
+    result.push_back(std::move(b));
+  }
+  return result;
+}
+
+/// A path whose class has these coefficients by basis curve of the graph.
+Word path_of_class(const RadialGraph& graph, const IntegerVector& coefficients) {
+  std::vector<std::uint32_t> sides;
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const std::uint32_t side = graph.basis()[k];
+    sides.insert(sides.end(), static_cast<std::size_t>(std::abs(coefficients[k])),
+                 coefficients[k] > 0 ? side : graph.partners()[side]);
+  }
+  return graph.path(sides);
+}
+
+/// The genus of what is on the left of a simple curve that separates the surface, from the sides that it crosses.
+///
+/// Up to triple commutators it is a product of commutators [a_i, b_i], one for each handle on its left. The form that
+/// belongs to it, Σ a_i ∧ b_i, makes a projection to the homology of that side; of the relation of the group, the
+/// identity. So the trace tells, modulo 2g.
+std::uint32_t genus_on_the_left(const RadialGraph& graph, const ClosedWalk& walk) {
+  const std::vector<IntegerVector> form = graph.intersection_form();
+  const std::size_t count = form.size();
+  std::vector<std::uint32_t> number(graph.size());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    number[graph.basis()[k]] = number[graph.partners()[graph.basis()[k]]] = k;
+  }
+  IntegerVector passed(count);
+  std::int64_t trace = 0;
+  for (const std::uint32_t side : graph.sides_of(walk)) {
+    const std::uint32_t k = number[side];
+    const std::int64_t sign = side == graph.basis()[k] ? 1 : -1;
+    for (std::size_t i = 0; i < count; ++i) trace += passed[i] * sign * form[k][i];
+    passed[k] += sign;
+  }
+  const auto twice_genus = static_cast<std::int64_t>(count);
+  return static_cast<std::uint32_t>(((trace % twice_genus) + twice_genus) % twice_genus / 2);
+}
+
+// ---- the arrangement of closed geodesics, with 256 bits ----
+
+using Number = CurveSystem::Number;
+using Vector = CurveSystem::Vector;
+
+/// An axis with its direction; normals are positive on the left.
+struct DirectedAxis {
+  Vector normal;
+  Vector point;
+  Vector forward;
+  Number length;
+};
+
+/// The axis of a closed path, in the coordinates of its tile; the point is the one nearest to `origin`.
+DirectedAxis axis_of(const LiftedTiles& tiles, const Word& path, const Vector& origin) {
+  Isometry<Number> f = inverse(tiles.value(path));
+  if (f.a.x < 0) f = {-f.a, -f.b};
+  const Number square = isometry_discriminant(f);
+  // Below that, all bits may be lost.
+  if (!(square > 1e-30) || f.a.x > 1e30) throw LimitError("a closed curve is too long or too short for 256 bits");
+  DirectedAxis axis;
+  axis.length = 2 * asinh(Number(sqrt(square)));
+  axis.normal = Number(1 / sqrt(square)) * axis_normal(f);
+  const Number height = lorentz_product(origin, axis.normal);
+  axis.point = Number(1 / sqrt(Number(1 + height * height))) * (origin + Number(-height) * axis.normal);
+  axis.forward = lorentz_cross(axis.normal, axis.point);
+  if (lorentz_product(axis.forward, image(f, axis.point)) < 0) axis.forward = Number(-1) * axis.forward;
+  return axis;
+}
+
+/// From the axis' point to the projection of a point.
+Number place_on(const DirectedAxis& axis, const Vector& x) {
+  const Number a = -lorentz_product(x, axis.point);
+  const Number b = lorentz_product(x, axis.forward);
+  return log(Number((a + b) / (a - b))) / 2;
+}
+
+/// The union of closed geodesics as a graph on the surface, of which the complement is counted.
+class Arrangement {
+ public:
+  /// Requires: primitive curves, no two the same up to direction.
+  Arrangement(const RadialGraph& graph, const std::vector<ClosedWalk>& walks)
+      : graph_(graph), tiles_(graph.surface(), 1), walks_(walks), on_(walks.size()) {
+    for (const ClosedWalk& walk : walks) add_centres(walk);
+    for (std::uint32_t i = 0; i < walks.size(); ++i) {
+      for (const WalkCrossing& crossing : graph.self_crossings(walks[i])) add(i, i, crossing);
+      for (std::uint32_t j = 0; j < i; ++j) {
+        for (const WalkCrossing& crossing : graph.crossings(walks[i], walks[j])) add(i, j, crossing);
+      }
+    }
+    make_passages();
+  }
+
+  /// Whether all components of the complement are disks.
+  [[nodiscard]] bool fills() const {
+    DisjointSets parts(static_cast<std::size_t>(walks_.size()));
+    for (const Crossing& crossing : crossings_) parts.join(crossing.ends[0].curve, crossing.ends[1].curve);
+    for (std::uint32_t i = 0; i < walks_.size(); ++i) {
+      if (on_[i].empty() || parts.find(i) != 0) return false;
+    }
+    // Disks glued to the boundary circles of a neighbourhood of the union make a closed surface, which is this one if
+    // the Euler characteristics agree. There are as many edges as passages.
+    const auto number = [](std::size_t n) { return static_cast<std::int64_t>(n); };
+    return number(vertices_.size()) - number(angle_.size()) + number(boundary_circles()) ==
+           2 - 2 * number(graph_.surface().genus());
+  }
+
+ private:
+  /// Where one of two geodesics that cross passes through the point.
+  struct End {
+    std::uint32_t curve;
+    Number place;               ///< Along the geodesic.
+    std::uint32_t passage = 0;  ///< Its number: ends at one place are one passage.
+  };
+  struct Crossing {
+    std::array<End, 2> ends;
+    double angle;  ///< From the direction of the first one to that of the second one, counterclockwise.
+  };
+
+  [[nodiscard]] const Vector& origin() const { return tiles_.centre(TileId(0)); }
+
+  /// The places of the polygon's centres along a geodesic.
+  void add_centres(const ClosedWalk& walk) {
+    std::vector<Number>& places = centres_.emplace_back();
+    Number place = 0;
+    for (std::size_t i = 0; i < walk.size(); i += 2) {
+      places.push_back(place);
+      const DirectedAxis axis = axis_of(tiles_, graph_.path(graph_.sides_of(walk, i)), origin());
+      const Word step = graph_.path(graph_.sides_around(walk[i], walk[i + 1]));
+      place += place_on(axis, image(inverse(tiles_.value(step)), origin()));
+      if (i == 0) lengths_.push_back(axis.length);
+    }
+  }
+
+  void add(std::uint32_t first, std::uint32_t second, const WalkCrossing& crossing) {
+    const RadialGraph::CrossingPaths paths = graph_.crossing_paths(walks_[first], walks_[second], crossing);
+    const DirectedAxis axis = axis_of(tiles_, paths.first, origin());
+    const DirectedAxis other = axis_of(tiles_, paths.second, image(inverse(tiles_.value(paths.way)), origin()));
+    Vector point = lorentz_cross(axis.normal, other.normal);
+    if (point.t < 0) point = Number(-1) * point;
+    const auto end = [&](std::uint32_t curve, std::uint32_t vertex, const DirectedAxis& line) {
+      const Number place = centres_[curve][vertex / 2] + place_on(line, point);
+      return End{curve, place - floor(Number(place / lengths_[curve])) * lengths_[curve]};
+    };
+    const auto cosine = static_cast<double>(lorentz_product(axis.normal, other.normal));
+    crossings_.push_back({{end(first, crossing.first, axis), end(second, crossing.second, other)},
+                          crossing.sign * std::acos(std::clamp(cosine, -1.0, 1.0))});
+  }
+
+  /// Numbers passages along each geodesic, and joins those that cross to vertices.
+  void make_passages() {
+    const Number equal = 1e-20;
+    std::vector<std::vector<End*>> ends(walks_.size());
+    for (Crossing& crossing : crossings_) {
+      for (End& end : crossing.ends) ends[end.curve].push_back(&end);
+    }
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < ends.size(); ++i) {
+      std::sort(ends[i].begin(), ends[i].end(), [](const End* a, const End* b) { return a->place < b->place; });
+      for (std::size_t k = 0; k < ends[i].size(); ++k) {
+        if (k == 0 || ends[i][k]->place - ends[i][k - 1]->place > equal) on_[i].push_back(count++);
+        ends[i][k]->passage = on_[i].back();
+      }
+      // The end of the period is its beginning.
+      if (on_[i].size() > 1 && ends[i].front()->place + lengths_[i] - ends[i].back()->place <= equal) {
+        for (End* const end : ends[i]) {
+          if (end->passage == on_[i].back()) end->passage = on_[i].front();
+        }
+        on_[i].pop_back();
+        --count;
+      }
+    }
+    angle_.resize(count);
+    DisjointSets points(count);
+    for (const auto& [at, angle] : crossings_) points.join(at[0].passage, at[1].passage);
+    for (const auto& [at, angle] : crossings_) {
+      // As seen from the first passage of the point.
+      const std::uint32_t first = points.find(at[0].passage);
+      if (at[0].passage == first) angle_[at[1].passage] = angle;
+      if (at[1].passage == first) angle_[at[0].passage] = -angle;
+    }
+    std::map<std::uint32_t, std::vector<std::uint32_t>> at_point;
+    for (std::uint32_t p = 0; p < count; ++p) at_point[points.find(p)].push_back(p);
+    for (const auto& [point, passages] : at_point) vertices_.push_back(passages);
+  }
+
+  /// How many boundary circles a neighbourhood of the union has. Half-edge 2p leaves passage p forward, 2p + 1 backward.
+  [[nodiscard]] std::size_t boundary_circles() const {
+    std::vector<std::uint32_t> opposite(2 * angle_.size());
+    for (const std::vector<std::uint32_t>& passages : on_) {
+      for (std::size_t k = 0; k < passages.size(); ++k) {
+        const std::uint32_t out = 2 * passages[k];
+        const std::uint32_t in = 2 * passages[(k + 1) % passages.size()] + 1;
+        opposite[out] = in;
+        opposite[in] = out;
+      }
+    }
+    std::vector<std::uint32_t> next(opposite.size());  // Counterclockwise.
+    for (const std::vector<std::uint32_t>& passages : vertices_) {
+      std::vector<std::pair<double, std::uint32_t>> around;
+      for (const std::uint32_t p : passages) {
+        around.emplace_back(angle_[p] < 0 ? angle_[p] + 2 * std::numbers::pi : angle_[p], 2 * p);
+        around.emplace_back(angle_[p] < 0 ? angle_[p] + std::numbers::pi : angle_[p] + std::numbers::pi, 2 * p + 1);
+      }
+      std::sort(around.begin(), around.end());
+      for (std::size_t k = 0; k < around.size(); ++k) next[around[k].second] = around[(k + 1) % around.size()].second;
+    }
+    std::vector<bool> seen(opposite.size());
+    std::size_t circles = 0;
+    for (std::uint32_t start = 0; start < seen.size(); ++start) {
+      if (seen[start]) continue;
+      ++circles;
+      for (std::uint32_t half = start; !seen[half]; half = next[opposite[half]]) seen[half] = true;
+    }
+    return circles;
+  }
+
+  const RadialGraph& graph_;
+  LiftedTiles tiles_;
+  std::vector<ClosedWalk> walks_;
+  std::vector<std::vector<Number>> centres_;
+  std::vector<Number> lengths_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::vector<std::uint32_t>> on_;        ///< By geodesic: its passages, in their order along it.
+  std::vector<double> angle_;                         ///< By passage: its direction, from that of one at its point.
+  std::vector<std::vector<std::uint32_t>> vertices_;  ///< By point: its passages.
+};
+
+// ---- what balls enclose ----
+
+using certify::Ball;
+using certify::BallIsometry;
+using BallVector = LorentzVector<Ball>;
+
+constexpr slong kFirstBits = 128;
+constexpr slong kMostBits = 1 << 14;
+
+/// The unit normal of the axis of a closed path, positive on its left, if balls tell.
+std::optional<BallVector> unit_normal(const Surface& surface, const Word& path) {
+  const BallIsometry f = certify::inverse(ball_isometry(surface, path, certify::Precision::current()));
+  const int sign = certify::certain_sign(certify::real(f.a));
+  const Ball square = certify::sqr(certify::real(f.a)) - 1;
+  if (sign == 0 || certify::certain_sign(square) <= 0) return std::nullopt;
+  const Ball scale = sign * certify::rsqrt(square);
+  return BallVector{-(scale * certify::imaginary(f.b)), scale * certify::real(f.b), scale * certify::imaginary(f.a)};
+}
+
+/// The cosine of the angle between two axes that cross, with their directions.
+Ball cosine_between(const Surface& surface, const Word& first, const Word& second) {
+  constexpr double kWidth = 0x1p-50;
+  for (slong precision = kFirstBits; precision <= kMostBits; precision *= 2) {
+    const certify::Precision scope(precision);
+    const auto u = unit_normal(surface, first);
+    const auto v = unit_normal(surface, second);
+    if (!u || !v) continue;
+    const Ball cosine = lorentz_product(*u, *v);
+    const certify::Interval ends = certify::outer_interval(cosine);
+    if (ends.upper - ends.lower < kWidth && ends.upper < 1 && ends.lower > -1) return cosine;
+  }
+  throw LimitError("closed curves are too long for an angle with " + std::to_string(kMostBits) + " bits");
+}
+
+// ---- the document ----
+
+/// The ε of the net in a curves file: any net will do.
+constexpr double kEpsilon = 1;
+
+/// Vertices of a net from which words start.
+class Starts {
+ public:
+  Starts(const Surface& surface, const certify::NetDocument& net) : surface_(surface), of_tile_(surface.tiles().size()) {
+    for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
+      auto& vertex = of_tile_[TileId(net.charts[net.vertices[v].chart].tile)];
+      if (!vertex) vertex = v;
+    }
+  }
+
+  struct Start {
+    std::uint32_t vertex;
+    Word way;  ///< From its tile to the tile asked for.
+  };
+  /// A vertex of a tile, or of the nearest one that has a vertex.
+  [[nodiscard]] Start nearest(TileId tile) const {
+    if (of_tile_[tile]) return {*of_tile_[tile], {}};
+    std::optional<Start> best;
+    for (const TileId other : surface_.tile_ids()) {
+      if (!of_tile_[other]) continue;
+      Word way = path_between_tiles(surface_, other, tile);
+      if (!best || way.size() < best->way.size()) best = Start{*of_tile_[other], std::move(way)};
+    }
+    return *best;
+  }
+
+ private:
+  const Surface& surface_;
+  ById<TileId, std::optional<std::uint32_t>> of_tile_;
+};
+
+/// Rows of a document.
+class Rows {
+ public:
+  Rows(const Surface& surface, const CurveTopology& topology, const certify::NetDocument& net)
+      : surface_(surface), topology_(topology), starts_(surface, net), system_(surface), tiles_(surface, 1) {}
+
+  [[nodiscard]] certify::CurvesDocument::Curve operator()(const ClosedCurve& curve) const {
+    const CurveSystem::Moved moved = system_.onto_geodesic({TileId(0), topology_.word(curve)});
+    const auto [vertex, way] = starts_.nearest(moved.path.tile);
+    const Word word = concatenated(surface_, concatenated(surface_, way, moved.path.word), reversed(surface_, way));
+    const auto length = static_cast<double>(displacement_length(tiles_.value(word)));
+    return {.vertex = vertex,
+            .word = letters_of(word),
+            .length = {std::nextafter(length, 0.0), std::nextafter(length, std::numeric_limits<double>::infinity())},
+            .power = curve.power,
+            .self_intersections = curve.self_intersections,
+            .homology = curve.homology};
+  }
+
+ private:
+  const Surface& surface_;
+  const CurveTopology& topology_;
+  Starts starts_;
+  CurveSystem system_;
+  LiftedTiles tiles_;
+};
+
+/// A curve that `curves` is given. Throws CurveError.
+ClosedCurve checked_curve(const CurveTopology& topology, std::size_t number, const Word& word) {
+  ClosedCurve curve;
+  try {
+    curve = topology.curve(word);
+  } catch (const SurfaceError& error) {
+    throw CurveError(number, error.problem());
+  }
+  if (curve.is_null_homotopic()) throw CurveError(number, "null-homotopic");
+  return curve;
+}
+
+}  // namespace
+
+CurveTopology::CurveTopology(const Surface& surface) : graph_(std::make_shared<const RadialGraph>(surface)) {
+  coordinates_ = symplectic_basis(graph_->intersection_form());
+  for (const IntegerVector& coefficients : coordinates_) basis_.push_back(path_of_class(*graph_, coefficients));
+}
+
+ClosedCurve CurveTopology::curve(const Word& word) const {
+  const ClosedWalk walk = graph_->walk_of(word);
+  ClosedCurve result;
+  result.homology.resize(basis_.size());
+  if (walk.empty()) return result;
+  result.power = RadialGraph::power_of(walk);
+  result.root.assign(walk.begin(), walk.begin() + static_cast<std::ptrdiff_t>(walk.size() / result.power));
+  const std::uint64_t power = result.power;
+  result.self_intersections = power * power * graph_->self_crossings(result.root).size() + (power - 1);
+  const std::vector<IntegerVector> form = graph_->intersection_form();
+  const IntegerVector homology = graph_->homology(walk);
+  for (std::size_t i = 0; i < basis_.size(); i += 2) {
+    result.homology[i] = form_value(form, homology, coordinates_[i + 1]);
+    result.homology[i + 1] = form_value(form, coordinates_[i], homology);
+  }
+  const bool bounds = std::all_of(homology.begin(), homology.end(), [](std::int64_t x) { return x == 0; });
+  if (result.is_simple() && bounds) result.genus_on_the_left = epsnet::genus_on_the_left(*graph_, walk);
+  return result;
+}
+
+Word CurveTopology::word(const ClosedCurve& curve) const {
+  const Word once = graph_->path(graph_->sides_of(curve.root));
+  Word result;
+  for (std::uint32_t i = 0; i < curve.power; ++i) result = concatenated(graph_->surface(), std::move(result), once);
+  return result;
+}
+
+int CurveTopology::same_geodesic(const ClosedCurve& first, const ClosedCurve& second) const {
+  if (first.root.size() != second.root.size() || first.is_null_homotopic()) return 0;
+  if (first.root == second.root) return 1;
+  return graph_->reversed(first.root) == second.root ? -1 : 0;
+}
+
+IntersectionNumbers CurveTopology::intersections(const ClosedCurve& first, const ClosedCurve& second) const {
+  if (first.is_null_homotopic() || second.is_null_homotopic()) return {};
+  const std::uint64_t powers = std::uint64_t{first.power} * second.power;
+  if (same_geodesic(first, second) != 0) return {2 * powers * graph_->self_crossings(first.root).size(), 0};
+  IntersectionNumbers result;
+  for (const WalkCrossing& crossing : graph_->crossings(first.root, second.root)) {
+    result.geometric += powers;
+    result.algebraic += crossing.sign * static_cast<std::int64_t>(powers);
+  }
+  return result;
+}
+
+namespace {
+
+/// Calls visit(paths, sign) for each crossing of the geodesics of two curves.
+template <class Visit>
+void for_each_crossing(const RadialGraph& graph, const ClosedCurve& first, const ClosedCurve& second, bool same,
+                       const Visit& visit) {
+  const ClosedWalk& other = same ? first.root : second.root;
+  for (const WalkCrossing& crossing : same ? graph.self_crossings(first.root) : graph.crossings(first.root, other)) {
+    visit(graph.crossing_paths(first.root, other, crossing), crossing.sign);
+  }
+}
+
+}  // namespace
+
+std::vector<GeodesicCrossing> CurveTopology::crossings(const ClosedCurve& first, const ClosedCurve& second) const {
+  std::vector<GeodesicCrossing> result;
+  if (first.is_null_homotopic() || second.is_null_homotopic()) return result;
+  for_each_crossing(*graph_, first, second, same_geodesic(first, second) != 0,
+                    [&](const RadialGraph::CrossingPaths& paths, int sign) {
+                      const certify::Precision scope(kFirstBits);
+                      const Ball cosine = cosine_between(graph_->surface(), paths.first, paths.second);
+                      const Ball sine = certify::sqrt(1 - certify::sqr(cosine));
+                      result.push_back({certify::outer_interval(sign * certify::atan2(sine, cosine))});
+                    });
+  return result;
+}
+
+certify::Interval CurveTopology::twist_derivative(const ClosedCurve& curve, const ClosedCurve& along) const {
+  if (along.is_null_homotopic() || !along.is_simple()) throw SurfaceError("a twist is along a simple closed curve");
+  if (curve.is_null_homotopic() || same_geodesic(along, curve) != 0) return {0, 0};
+  const certify::Precision scope(kFirstBits);
+  Ball sum;
+  for_each_crossing(*graph_, along, curve, false, [&](const RadialGraph::CrossingPaths& paths, int sign) {
+    sum += sign * cosine_between(graph_->surface(), paths.first, paths.second);
+  });
+  return certify::outer_interval(-static_cast<std::int64_t>(curve.power) * sum);
+}
+
+bool CurveTopology::fill(std::span<const ClosedCurve> curves) const {
+  std::vector<ClosedCurve> different;
+  std::vector<ClosedWalk> roots;
+  for (const ClosedCurve& curve : curves) {
+    const auto is_same = [&](const ClosedCurve& other) { return same_geodesic(curve, other) != 0; };
+    if (curve.is_null_homotopic() || std::any_of(different.begin(), different.end(), is_same)) continue;
+    different.push_back(curve);
+    roots.push_back(curve.root);
+  }
+  return !roots.empty() && Arrangement(*graph_, roots).fills();
+}
+
+certify::CurvesDocument unproved::curves(const Surface& surface, std::span<const Word> words,
+                                         const CurvesOptions& options) {
+  const CurveTopology topology(surface);
+  std::vector<ClosedCurve> all;
+  for (std::size_t i = 0; i < words.size(); ++i) all.push_back(checked_curve(topology, i, words[i]));
+  const std::size_t given = all.size();
+  for (const Word& word : topology.homology_basis()) all.push_back(topology.curve(word));
+
+  NetOptions of_net;
+  of_net.threads = options.threads;
+  of_net.progress = options.progress;
+  certify::CurvesDocument result;
+  result.net = compute_net(surface, Length(kEpsilon), of_net).document;
+  const Rows row(surface, topology, result.net);
+  const auto report = [&](const char* what, std::size_t i) {
+    if (options.progress) options.progress(what, static_cast<double>(i) / static_cast<double>(all.size()));
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    report("closed curves", i);
+    result.curves.push_back(row(all[i]));
+  }
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    report("intersections", i);
+    for (std::uint32_t j = i + 1; j < all.size(); ++j) {
+      const auto [geometric, algebraic] = topology.intersections(all[i], all[j]);
+      result.pairs.push_back({i, j, geometric, algebraic});
+    }
+  }
+  result.basis.resize(all.size() - given);
+  std::iota(result.basis.begin(), result.basis.end(), static_cast<std::uint32_t>(given));
+  if (topology.fill(std::span(all).first(given))) {
+    std::vector<std::uint32_t>& set = result.filling.emplace_back(given);
+    std::iota(set.begin(), set.end(), 0U);
+  }
+  return result;
+}
+
+Certified<certify::CurvesDocument> curves(const Surface& surface, std::span<const Word> words,
+                                          const CurvesOptions& options) {
+  return proved(unproved::curves(surface, words, options), options.threads, options.progress);
+}
+
+}  // namespace epsnet

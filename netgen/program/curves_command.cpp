@@ -1,0 +1,203 @@
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/file/writer.h"
+#include "netgen/base/progress_line.h"
+#include "netgen/curves/closed_curves.h"
+#include "netgen/pants/pants.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/files.h"
+
+/// The command curves: how closed curves meet, their classes in homology, and whether they fill the surface.
+namespace epsnet::program {
+namespace {
+
+using certify::CurvesDocument;
+
+struct CurvesRequest {
+  std::string surface;
+  std::vector<std::string> words;
+  std::string file;
+  std::string output;
+  bool angles = false;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+/// The curves asked about, with what messages call them.
+struct NamedWords {
+  std::vector<std::string> names;
+  std::vector<Word> words;
+};
+
+NamedWords words_of(const CurvesRequest& request) {
+  NamedWords result;
+  const auto add = [&](const std::string& name, const std::string& text) {
+    result.words.push_back(parse_word(name, text));
+    result.names.push_back(name);
+  };
+  for (std::size_t i = 0; i < request.words.size(); ++i) add("WORD " + std::to_string(i), request.words[i]);
+  if (!request.file.empty()) {
+    for (const LineText& line : read_lines(request.file, "curves, expected one on each line, as in 0 3 5")) {
+      add(line.name, line.text);
+    }
+  }
+  if (result.words.empty()) throw UsageError("curves: expected WORD or --curves FILE (try --help)");
+  return result;
+}
+
+/// "a1 + 2 b3": the class of a curve in the basis a1, b1, a2, b2, … that epsnet writes, or in that of a file.
+std::string class_text(const std::vector<std::int64_t>& homology) {
+  std::string text;
+  for (std::size_t i = 0; i < homology.size(); ++i) {
+    const std::int64_t x = homology[i];
+    if (x == 0) continue;
+    text += text.empty() ? (x < 0 ? "-" : "") : (x < 0 ? " - " : " + ");
+    if (std::abs(x) != 1) text += std::to_string(std::abs(x)) + ' ';
+    text += (i % 2 == 0 ? 'a' : 'b') + std::to_string(i / 2 + 1);
+  }
+  return text.empty() ? "0" : text;
+}
+
+bool is_zero_class(const std::vector<std::int64_t>& homology) {
+  return std::all_of(homology.begin(), homology.end(), [](std::int64_t x) { return x == 0; });
+}
+
+std::string kind_text(const CurvesDocument::Curve& curve) {
+  std::string text;
+  if (curve.power != 1) text += "power " + std::to_string(curve.power) + ", ";
+  if (curve.self_intersections != 0) return text + "self-intersections " + std::to_string(curve.self_intersections);
+  return text + "simple, " + (is_zero_class(curve.homology) ? "separating" : "not separating");
+}
+
+Json curve_json(const CurvesDocument::Curve& curve) {
+  const bool simple = curve.self_intersections == 0;
+  return Json::object({{"vertex", curve.vertex},
+                       {"word", curve.word},
+                       {"length", interval_json(curve.length)},
+                       {"power", curve.power},
+                       {"self_intersections", curve.self_intersections},
+                       {"simple", simple},
+                       {"separating", simple && is_zero_class(curve.homology)},
+                       {"homology", curve.homology}});
+}
+
+/// What is known of angles and of pieces, which a file does not say.
+Report computed_report(const Surface& surface, const NamedWords& given, bool angles) {
+  const CurveTopology topology(surface);
+  std::vector<ClosedCurve> curves;
+  for (const Word& word : given.words) curves.push_back(topology.curve(word));
+  Report report;
+  std::ostringstream out;
+  Json genera = Json::array();
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (!curves[i].is_separating()) continue;
+    const std::uint32_t left = *curves[i].genus_on_the_left;
+    out << "curve " << i << " has genus " << left << " on its left, " << surface.genus() - left << " on its right\n";
+    genera.push_back(Json::object({{"curve", i}, {"left", left}, {"right", surface.genus() - left}}));
+  }
+  report.json["genera"] = genera;
+  if (angles) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      for (std::size_t j = i; j < curves.size(); ++j) {
+        for (const GeodesicCrossing& crossing : topology.crossings(curves[i], curves[j])) {
+          const double degrees = (crossing.angle.lower + crossing.angle.upper) * 90 / std::numbers::pi;
+          out << "angle " << i << ' ' << j << ": " << to_string(crossing.angle) << " (" << degrees << " degrees)\n";
+          rows.push_back(Json::object({{"first", i}, {"second", j}, {"angle", interval_json(crossing.angle)}}));
+        }
+      }
+    }
+    report.json["angles"] = rows;
+  }
+  report.text = out.str();
+  return report;
+}
+
+void examine_curves(const CurvesRequest& request) {
+  check_files({{"SURFACE", request.surface}, {"--curves", request.file}},
+              {{"--output", request.output, FileType::json}});
+  const Surface surface = read_surface_input(request.surface);
+  const NamedWords given = words_of(request);
+  const auto found = [&] {
+    ProgressLine progress;
+    try {
+      return curves(surface, given.words, {.threads = request.threads, .progress = progress.shower()});
+    } catch (const CurveError& error) {
+      throw JobError(given.names[error.number()] + ": " + error.problem());
+    }
+  }();
+  Report report = verified_report();
+  for (const Report& part : {curves_report(found.document), computed_report(surface, given, request.angles)}) {
+    report.text += part.text;
+    report.json.update(part.json);
+  }
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(found.document, out); }}});
+  write_report(report, request.json, is_stdout(request.output));
+}
+
+}  // namespace
+
+Report curves_report(const CurvesDocument& document) {
+  Report report;
+  Json& json = report.json;
+  std::ostringstream out;
+  json["curves"] = Json::array();
+  for (std::size_t i = 0; i < document.curves.size(); ++i) {
+    const CurvesDocument::Curve& curve = document.curves[i];
+    out << "curve " << i << ": length " << to_string(curve.length) << ", " << kind_text(curve) << ", class "
+        << class_text(curve.homology) << "\n  " << word_text(curve.word) << '\n';
+    json["curves"].push_back(curve_json(curve));
+  }
+  json["pairs"] = Json::array();
+  for (const CurvesDocument::Pair& pair : document.pairs) {
+    json["pairs"].push_back(Json::object({{"first", pair.first},
+                                          {"second", pair.second},
+                                          {"intersections", pair.intersections},
+                                          {"algebraic", pair.algebraic}}));
+    if (pair.intersections == 0) continue;
+    out << "curves " << pair.first << ' ' << pair.second << ": intersections " << pair.intersections << ", algebraic "
+        << pair.algebraic << '\n';
+  }
+  json["basis"] = document.basis;
+  json["filling"] = document.filling;
+  out << "basis of homology a1, b1, ...: curves " << word_text(document.basis) << '\n';
+  for (const std::vector<std::uint32_t>& set : document.filling) {
+    out << "these fill the surface: curves " << word_text(set) << '\n';
+  }
+  report.text = out.str();
+  return report;
+}
+
+void add_curves_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<CurvesRequest>();
+  CLI::App* command = app.add_subcommand(
+      "curves",
+      "How closed curves meet, proved: intersection numbers, which are simple or separating, their classes in homology, "
+      "and whether they fill the surface.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  command
+      ->add_option("WORD", shared->words,
+                   "closed curves, each as the numbers of the sides that it crosses, in quotes or with commas; epsnet "
+                   "spectrum and epsnet pants print such words")
+      ->option_text("...");
+  add_file(*command, "--curves", shared->file, "more of them, one on each line; \"-\" is standard input");
+  command->add_flag("--angles", shared->angles, "also the angles at which the geodesics cross");
+  add_file(*command, "-o,--output", shared->output, "the curves file to write, for certify; \"-\" is standard output");
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "Curves are taken up to free homotopy. The file ends with 2g curves more, a symplectic basis of the homology, in "
+      "which classes are given. The algebraic number counts 1 where the second curve crosses the first from right to "
+      "left, else -1. Genera of pieces and angles are computed, not in the file. docs/curves.md says how.\n\n"
+      "Example:\n  epsnet surface octagon --seed 5 -o s.json\n"
+      "  epsnet curves s.json 0 1,2 -o curves.json && certify curves.json");
+  command->callback([&chosen, shared] { chosen = [shared] { examine_curves(*shared); }; });
+}
+
+}  // namespace epsnet::program
