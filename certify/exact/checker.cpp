@@ -94,7 +94,10 @@ Result check(std::string_view text, const Limits& limits) {
                      [&](auto& net) { return isometry_rules(document, net, limits.lifts_under_isometries); });
     }
     if (is_text(format, "epsnet-comparison")) return check_comparison(read_comparison(root), limits.lifts);
-    if (is_text(format, "epsnet-curves")) return left_out("curves files");
+    if (is_text(format, "epsnet-curves")) {
+      const CurvesDocument document = read_curves(root);
+      return ask_all(document.net, [&](auto& net) { return curve_rules(document, net); });
+    }
     if (is_text(format, "epsnet-pants")) {
       const PantsDocument document = read_pants(root);
       return ask_all(document.net, [&](auto& net) { return pants_rules(document, net); });

@@ -4,9 +4,9 @@
 #include <string_view>
 
 /// A second checker of nets, pseudo nets, lists of geodesics, distances, bounds, eigenvalues, isometries, pants
-/// decompositions and comparisons of surfaces. It computes with integers, of which it makes the algebraic numbers of
-/// regular tiles and of tiles over a number field, and with intervals whose ends MPFR rounds where a root or a function
-/// is asked.
+/// decompositions, comparisons of surfaces and closed curves. It computes with integers, of which it makes the
+/// algebraic numbers of regular tiles and of tiles over a number field, and with intervals whose ends MPFR rounds where
+/// a root or a function is asked.
 ///
 /// It shares nothing with the checker beside it: no ball arithmetic, no JSON library, no threads, no line of code. It
 /// is written against docs/format.md and docs/proof.md, in the order of the latter's sections.

@@ -37,6 +37,10 @@ template <class R>
 template <class R>
 [[nodiscard]] std::vector<Rule> pants_rules(const PantsDocument& document, NetRules<R>& net);
 
+/// Section 21.
+template <class R>
+[[nodiscard]] std::vector<Rule> curve_rules(const CurvesDocument& document, NetRules<R>& net);
+
 /// The rules of a net, then some of its own.
 template <class R>
 std::vector<Rule> joined(NetRules<R>& net, std::vector<Rule> own_rules) {

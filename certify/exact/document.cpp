@@ -340,6 +340,25 @@ PantsDocument::Cuff read_cuff(const Json& row, Words& words) {
           .exp_half_length = to_rational(member(row, "exp_half_length"))};
 }
 
+mpz_class read_number(const Json& value) {
+  mpz_class result = to_small_integer(value);
+  if (result < 0) throw Malformed("expected an integer that is not negative");
+  return result;
+}
+
+CurvesDocument::Curve read_curve(const Json& row, Words& words) {
+  expect_members(row, {"vertex", "word", "length", "power", "self_intersections", "homology"});
+  CurvesDocument::Curve curve{.vertex = to_index(member(row, "vertex")),
+                              .word = words.read(member(row, "word")),
+                              .length = read_length(member(row, "length"), "a length"),
+                              .power = to_index(member(row, "power")),
+                              .self_intersections = read_number(member(row, "self_intersections")),
+                              .homology = {}};
+  for (const Json& coefficient : array(member(row, "homology"), "homology"))
+    curve.homology.push_back(to_small_integer(coefficient));
+  return curve;
+}
+
 }  // namespace
 
 DistanceDocument read_distance(const Json& root) {
@@ -514,6 +533,26 @@ PantsDocument read_pants(const Json& root) {
     document.pants.push_back({words.read(two[0]), words.read(two[1])});
   }
   for (const Json& row : array(member(root, "cuffs"), "cuffs")) document.cuffs.push_back(read_cuff(row, words));
+  return document;
+}
+
+CurvesDocument read_curves(const Json& root) {
+  expect_members(root, {"format", "version", "net", "curves", "pairs", "basis", "filling"});
+  expect_version(root);
+  Words words;
+  CurvesDocument document{.net = read_whole_net(root, words),
+                          .curves = {},
+                          .pairs = {},
+                          .basis = read_indices(member(root, "basis"), "the basis"),
+                          .filling = {}};
+  for (const Json& row : array(member(root, "curves"), "curves")) document.curves.push_back(read_curve(row, words));
+  for (const Json& row : array(member(root, "pairs"), "pairs")) {
+    expect_members(row, {"first", "second", "intersections", "algebraic"});
+    document.pairs.push_back({to_index(member(row, "first")), to_index(member(row, "second")),
+                              read_number(member(row, "intersections")), to_small_integer(member(row, "algebraic"))});
+  }
+  for (const Json& set : array(member(root, "filling"), "filling"))
+    document.filling.push_back(read_indices(set, "a set of curves"));
   return document;
 }
 

@@ -258,6 +258,30 @@ struct PantsDocument {
   std::vector<Cuff> cuffs;
 };
 
+/// Closed curves, what each two have in common, and sets of them.
+struct CurvesDocument {
+  struct Curve {
+    Index vertex;
+    std::vector<Index> word;
+    Range length;
+    Index power;
+    mpz_class self_intersections;
+    std::vector<mpz_class> homology;
+  };
+  struct Pair {
+    Index first;
+    Index second;
+    mpz_class intersections;
+    mpz_class algebraic;
+  };
+
+  Net net;
+  std::vector<Curve> curves;
+  std::vector<Pair> pairs;
+  std::vector<Index> basis;
+  std::vector<std::vector<Index>> filling;
+};
+
 // Members, kinds and ranges of numbers. Each throws Malformed. Indices may name what is not there.
 
 [[nodiscard]] DistanceDocument read_distance(const Json& root);
@@ -267,5 +291,6 @@ struct PantsDocument {
 [[nodiscard]] IsometriesDocument read_isometries(const Json& root);
 [[nodiscard]] ComparisonDocument read_comparison(const Json& root);
 [[nodiscard]] PantsDocument read_pants(const Json& root);
+[[nodiscard]] CurvesDocument read_curves(const Json& root);
 
 }  // namespace epsnet::exact

@@ -273,6 +273,17 @@ std::uint32_t to_index(const Json& value) {
   return static_cast<std::uint32_t>(index);
 }
 
+mpz_class to_small_integer(const Json& value) {
+  std::string_view text = value.text;
+  const bool negative = take(text, '-');
+  const bool digits = value.kind == Json::Kind::number && !text.empty() && text.size() <= 16 &&
+                      std::all_of(text.begin(), text.end(), is_digit);
+  if (!digits || (negative && text == "0")) wrong(value, "an integer of at most 2^53");
+  const mpz_class result = integer(text);
+  if (result > mpz_class(0x1p53)) wrong(value, "an integer of at most 2^53");
+  return negative ? mpz_class(-result) : result;
+}
+
 mpq_class to_rational(const Json& value) {
   std::string_view text = string_of(value, "a rational in a string");
   const bool negative = take(text, '-');

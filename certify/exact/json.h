@@ -40,6 +40,9 @@ struct Json::Member {
 /// An integer 0 ≤ n < 2³² without sign, fraction or exponent.
 [[nodiscard]] std::uint32_t to_index(const Json& value);
 
+/// An integer of at most 2⁵³ in absolute value, without fraction or exponent, as a number.
+[[nodiscard]] mpz_class to_small_integer(const Json& value);
+
 /// "-?[0-9]+" or "-?[0-9]+/[0-9]+", of at most 10⁶ digits.
 [[nodiscard]] mpq_class to_rational(const Json& value);
 

@@ -52,7 +52,10 @@ LeastSequence least_sequence(std::span<const std::uint32_t> codes) {
   const std::span<const std::uint32_t> once = codes.first(period);
   LeastSequence result{least_rotation({once.begin(), once.end()}), static_cast<std::uint32_t>(codes.size() / period)};
   std::vector<std::uint32_t> back = least_rotation(reversed(once));
-  if (back < result.root) result.root = std::move(back);
+  if (back < result.root) {
+    result.root = std::move(back);
+    result.backwards = true;
+  }
   return result;
 }
 

@@ -19,6 +19,7 @@ namespace epsnet::certify {
 struct LeastSequence {
   std::vector<std::uint32_t> root;  ///< The least of all rotations of the way and of the way back, without repetitions.
   std::uint32_t exponent = 1;       ///< How many times the root is run through.
+  bool backwards = false;           ///< Whether the root is a rotation of the way back.
 };
 
 /// The least period of a cyclic sequence that is not empty: a divisor of its length.

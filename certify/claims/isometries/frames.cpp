@@ -33,6 +33,7 @@ std::optional<LinePoint> line_point(const BallVector& row, const BallVector& oth
 struct Chord {
   std::uint32_t triangle;
   std::uint32_t geodesic;
+  std::uint32_t number;  ///< Of those of the geodesic.
   const BallVector* axis;
   Ball along;      ///< From the beginning of the period to where the triangle is entered.
   BallVector row;  ///< Of which the value at a point of the axis is sinh of the distance from there.
@@ -82,7 +83,7 @@ class Finder {
       const BallVector normal{axes[k][0], axes[k][1], -axes[k][2]};
       BallVector row = cross_product(normal, start->vector, precision_);
       const Ball length = asinh(value(row, end->vector));
-      chords_.push_back({darts[k] / 3, geodesic, &axes[k], along, std::move(row)});
+      chords_.push_back({darts[k] / 3, geodesic, static_cast<std::uint32_t>(k), &axes[k], along, std::move(row)});
       along += length;
     }
   }
@@ -108,9 +109,9 @@ class Finder {
     const auto x_place = static_cast<std::uint32_t>(points_[x.geodesic].size());
     const auto y_place = static_cast<std::uint32_t>(points_[y.geodesic].size()) + (x.geodesic == y.geodesic ? 1 : 0);
     points_[x.geodesic].push_back(
-        {x.along + asinh(value(x.row, point->vector)), cosine, y.geodesic, y_place, point->sign});
+        {x.along + asinh(value(x.row, point->vector)), cosine, y.geodesic, y_place, x.number, point->sign});
     points_[y.geodesic].push_back(
-        {y.along + asinh(value(y.row, point->vector)), -cosine, x.geodesic, x_place, -point->sign});
+        {y.along + asinh(value(y.row, point->vector)), -cosine, x.geodesic, x_place, y.number, -point->sign});
   }
 
   const MovedNet& net_;

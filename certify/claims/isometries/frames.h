@@ -16,6 +16,7 @@ struct CrossingPoint {
   Ball cosine;          ///< Of the angle from that direction, counterclockwise, to the line of the other one.
   std::uint32_t other;  ///< The other one,
   std::uint32_t place;  ///< and where this passage of the other one is in its list.
+  std::uint32_t chord;  ///< The number of the dart across which the geodesic leaves the triangle of the point.
   int turn;  ///< 1 if the direction of the other one is on one side of this one's, −1 if on the other side.
 };
 
