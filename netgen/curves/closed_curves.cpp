@@ -375,9 +375,9 @@ class Rows {
       : surface_(surface), topology_(topology), starts_(surface, net), system_(surface), tiles_(surface, 1) {}
 
   [[nodiscard]] certify::CurvesDocument::Curve operator()(const ClosedCurve& curve) const {
-    const CurveSystem::Moved moved = system_.onto_geodesic({TileId(0), topology_.word(curve)});
-    const auto [vertex, way] = starts_.nearest(moved.path.tile);
-    const Word word = concatenated(surface_, concatenated(surface_, way, moved.path.word), reversed(surface_, way));
+    const ClosedPath path = near_geodesic({TileId(0), topology_.word(curve)});
+    const auto [vertex, way] = starts_.nearest(path.tile);
+    const Word word = concatenated(surface_, concatenated(surface_, way, path.word), reversed(surface_, way));
     const auto length = static_cast<double>(displacement_length(tiles_.value(word)));
     return {.vertex = vertex,
             .word = letters_of(word),
@@ -388,12 +388,30 @@ class Rows {
   }
 
  private:
+  /// From a tile through which the geodesic passes, unless the path is too long for 256 bits.
+  [[nodiscard]] ClosedPath near_geodesic(const ClosedPath& path) const {
+    try {
+      return system_.onto_geodesic(path).path;
+    } catch (const LimitError&) {
+      return path;
+    }
+  }
+
   const Surface& surface_;
   const CurveTopology& topology_;
   Starts starts_;
   CurveSystem system_;
   LiftedTiles tiles_;
 };
+
+/// Whether curves fill, as far as they are not too long for that.
+bool certainly_fill(const CurveTopology& topology, std::span<const ClosedCurve> curves) {
+  try {
+    return topology.fill(curves);
+  } catch (const LimitError&) {
+    return false;
+  }
+}
 
 /// A curve that `curves` is given. Throws CurveError.
 ClosedCurve checked_curve(const CurveTopology& topology, std::size_t number, const Word& word) {
@@ -539,7 +557,7 @@ certify::CurvesDocument unproved::curves(const Surface& surface, std::span<const
   }
   result.basis.resize(all.size() - given);
   std::iota(result.basis.begin(), result.basis.end(), static_cast<std::uint32_t>(given));
-  if (topology.fill(std::span(all).first(given))) {
+  if (certainly_fill(topology, std::span(all).first(given))) {
     std::vector<std::uint32_t>& set = result.filling.emplace_back(given);
     std::iota(set.begin(), set.end(), 0U);
   }

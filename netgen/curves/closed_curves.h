@@ -97,7 +97,7 @@ struct CurvesOptions {
 };
 
 /// Returns what is known of a list of closed curves, none of them null-homotopic, with a proof: the curves of the document
-/// are the given ones and, after them, the homology basis. If the given ones fill, that is claimed.
+/// are the given ones and, after them, the homology basis. If `fill` says that the given ones fill, that is claimed.
 ///
 /// Throws CurveError (pants.h) for a null-homotopic curve or a word that is not a path from a tile to itself, and
 /// NotCertifiedError if the proof fails. O(n²) for n curves and letters.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certify/claims/bound/document.h"
+#include "certify/claims/curves/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
@@ -91,6 +92,10 @@ struct PolygonPicture {
 
 /// Returns the picture of the cuffs of a pants file, cut by the domain of the surface's default point; at most 200.
 [[nodiscard]] PolygonPicture picture_of(const certify::PantsDocument& pants);
+
+/// Returns the picture of the closed geodesics of a curves file, without those of its basis if there are others, cut by
+/// the domain of the surface's default point; at most 200.
+[[nodiscard]] PolygonPicture picture_of(const certify::CurvesDocument& curves);
 
 /// Returns the picture of where the bounds of a diameter, a radius or an embedded disk are attained. For a diameter the
 /// vertex of the file is in the centre, with the points farthest from it and the segments there; for a radius the disk

@@ -206,26 +206,54 @@ Word word_of_cuff(const certify::PantsDocument& document, const certify::PantsDo
   return word;
 }
 
-void add_cuffs(PolygonPicture& result, const Domain& domain, const certify::PantsDocument& document) {
+/// A closed curve with what a legend says of it.
+struct NamedCurve {
+  std::string name;
+  Word word;
+};
+
+/// The closed geodesics of curves, which are `kind` together.
+void add_named_curves(PolygonPicture& result, const Domain& domain, const std::vector<NamedCurve>& curves,
+                      const std::string& kind) {
   constexpr std::size_t kMost = 200;
   // With one colour for each, as long as a legend can list them.
-  const bool is_each_named = document.cuffs.size() <= kColours.size();
-  for (std::size_t e = 0; e < std::min(document.cuffs.size(), kMost); ++e) {
-    const certify::PantsDocument::Cuff& cuff = document.cuffs[e];
-    const std::string name = "cuff " + std::to_string(e) + ", of length " + length_text(cuff.length.upper);
-    if (is_each_named || e == 0) {
-      result.curves.push_back({is_each_named ? name : std::to_string(document.cuffs.size()) + " cuffs",
-                               kColours[is_each_named ? e : 0],
+  const bool is_each_named = curves.size() <= kColours.size();
+  for (std::size_t i = 0; i < std::min(curves.size(), kMost); ++i) {
+    const auto& [name, word] = curves[i];
+    if (is_each_named || i == 0) {
+      result.curves.push_back({is_each_named ? name : std::to_string(curves.size()) + ' ' + kind,
+                               kColours[is_each_named ? i : 0],
                                {}});
     }
-    const Word word = word_of_cuff(document, cuff);
     const auto segments = segments_of(domain, domain.surface.tile_of_side(word.front()), word);
     if (!segments) result.left_out.push_back(name + ": it crosses the domain too often");
     if (segments)
       result.curves.back().segments.insert(result.curves.back().segments.end(), segments->begin(), segments->end());
   }
-  if (document.cuffs.size() > kMost)
-    result.left_out.push_back(std::to_string(document.cuffs.size() - kMost) + " cuffs: only 200 are drawn");
+  if (curves.size() > kMost)
+    result.left_out.push_back(std::to_string(curves.size() - kMost) + ' ' + kind + ": only 200 are drawn");
+}
+
+void add_cuffs(PolygonPicture& result, const Domain& domain, const certify::PantsDocument& document) {
+  std::vector<NamedCurve> cuffs;
+  for (const certify::PantsDocument::Cuff& cuff : document.cuffs) {
+    cuffs.push_back({"cuff " + std::to_string(cuffs.size()) + ", of length " + length_text(cuff.length.upper),
+                     word_of_cuff(document, cuff)});
+  }
+  add_named_curves(result, domain, cuffs, "cuffs");
+}
+
+/// The curves of a file without its basis, or the basis if there are no others.
+void add_closed_curves(PolygonPicture& result, const Domain& domain, const certify::CurvesDocument& document) {
+  std::vector<NamedCurve> curves;
+  const bool is_all = document.curves.size() == document.basis.size();
+  for (std::uint32_t i = 0; i < document.curves.size(); ++i) {
+    if (!is_all && std::find(document.basis.begin(), document.basis.end(), i) != document.basis.end()) continue;
+    const certify::CurvesDocument::Curve& curve = document.curves[i];
+    curves.push_back({"curve " + std::to_string(i) + ", of length " + length_text(curve.length.upper),
+                      word_of_letters(curve.word)});
+  }
+  add_named_curves(result, domain, curves, "closed curves");
 }
 
 /// What a legend says of geodesics first, …, first + count − 1.
@@ -444,6 +472,11 @@ PolygonPicture picture_of(const certify::GeodesicsDocument& geodesics) {
 PolygonPicture picture_of(const certify::PantsDocument& pants) {
   const auto add = [&](PolygonPicture& result, const Domain& domain) { add_cuffs(result, domain, pants); };
   return in_domain(from_document(pants.net.surface), std::nullopt, "pants decomposition", add);
+}
+
+PolygonPicture picture_of(const certify::CurvesDocument& curves) {
+  const auto add = [&](PolygonPicture& result, const Domain& domain) { add_closed_curves(result, domain, curves); };
+  return in_domain(from_document(curves.net.surface), std::nullopt, "closed curves", add);
 }
 
 PolygonPicture picture_of(const certify::BoundDocument& bound) {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <sstream>
@@ -10,6 +12,7 @@
 #include "netgen/base/progress_line.h"
 #include "netgen/curves/closed_curves.h"
 #include "netgen/pants/pants.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/files.h"
 
@@ -24,6 +27,7 @@ struct CurvesRequest {
   std::vector<std::string> words;
   std::string file;
   std::string output;
+  std::string svg;
   bool angles = false;
   bool json = false;
   unsigned threads = 0;
@@ -88,7 +92,7 @@ Json curve_json(const CurvesDocument::Curve& curve) {
 }
 
 /// What is known of angles and of pieces, which a file does not say.
-Report computed_report(const Surface& surface, const NamedWords& given, bool angles) {
+Report computed_report(const Surface& surface, const NamedWords& given, bool angles, bool fill) {
   const CurveTopology topology(surface);
   std::vector<ClosedCurve> curves;
   for (const Word& word : given.words) curves.push_back(topology.curve(word));
@@ -102,6 +106,16 @@ Report computed_report(const Surface& surface, const NamedWords& given, bool ang
     genera.push_back(Json::object({{"curve", i}, {"left", left}, {"right", surface.genus() - left}}));
   }
   report.json["genera"] = genera;
+  report.json["fill"] = fill;
+  if (!fill) {
+    try {
+      report.json["fill"] = topology.fill(curves);
+      out << "the curves do not fill the surface (computed with 256 bits)\n";
+    } catch (const LimitError& error) {
+      report.json["fill"] = nullptr;
+      out << "whether the curves fill the surface is not known: " << error.what() << '\n';
+    }
+  }
   if (angles) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -121,7 +135,7 @@ Report computed_report(const Surface& surface, const NamedWords& given, bool ang
 
 void examine_curves(const CurvesRequest& request) {
   check_files({{"SURFACE", request.surface}, {"--curves", request.file}},
-              {{"--output", request.output, FileType::json}});
+              {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Surface surface = read_surface_input(request.surface);
   const NamedWords given = words_of(request);
   const auto found = [&] {
@@ -133,12 +147,14 @@ void examine_curves(const CurvesRequest& request) {
     }
   }();
   Report report = verified_report();
-  for (const Report& part : {curves_report(found.document), computed_report(surface, given, request.angles)}) {
+  for (const Report& part : {curves_report(found.document), computed_report(surface, given, request.angles, !found.document.filling.empty())}) {
     report.text += part.text;
     report.json.update(part.json);
   }
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(found.document, out); }}});
-  write_report(report, request.json, is_stdout(request.output));
+  const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(found.document));
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(found.document, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
+  write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
 }  // namespace
@@ -189,6 +205,7 @@ void add_curves_command(CLI::App& app, Job& chosen) {
   add_file(*command, "--curves", shared->file, "more of them, one on each line; \"-\" is standard input");
   command->add_flag("--angles", shared->angles, "also the angles at which the geodesics cross");
   add_file(*command, "-o,--output", shared->output, "the curves file to write, for certify; \"-\" is standard output");
+  add_file(*command, "--svg", shared->svg, "also draw their geodesics in a Dirichlet domain; \"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(

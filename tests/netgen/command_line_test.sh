@@ -82,6 +82,28 @@ printf '2 x\n' >curves.txt
 bad 1 '^epsnet: curves.txt:1: expected numbers of sides, as in 0 3 5, not "x"' pants from-pants.json --curves curves.txt -o out/x.json
 printf '# nothing\n' >curves.txt
 bad 1 '^epsnet: curves.txt: no curves, expected one on each line' pants from-pants.json --curves curves.txt -o out/x.json
+# Closed curves: a side pairing, its square, the commutator of two that separates, and one that is none.
+good curves s.json 0 '0 0' 0,1,4,5 --angles -o curves.json --svg curves.svg
+grep -q 'curve 2, of length' curves.svg || complain 'no curves in their picture'
+says '^verdict: VERIFIED$'
+says '^curve 0: length .*, simple, not separating, class a1$'
+says '^curve 1: length .*, power 2, self-intersections 1, class 2 a1$'
+says '^curve 2: length .*, simple, separating, class 0$'
+says '^curve 2 has genus 1 on its left, 1 on its right$'
+says '^the curves do not fill the surface (computed with 256 bits)$'
+verified curves.json
+good draw curves.json -o drawn.svg
+same curves.svg drawn.svg
+good info curves.json
+says '^file: closed curves (not verified here: run certify)$'
+says '^basis of homology a1, b1, ...: curves 3 4 5 6$'
+printf '0\n1 # another one\n2\n3\n' >words.txt
+good curves s.json --curves words.txt --json --threads 1 -o curves.json
+says '"fill": *true'
+verified curves.json
+bad 1 '^epsnet: WORD 1: null-homotopic' curves s.json 0 0,4 -o out/x.json
+bad 1 '^epsnet: WORD 0: letter 0 is side 9, the surface has 8 sides' curves s.json 9 -o out/x.json
+bad 64 '^epsnet: curves: expected WORD or --curves FILE' curves s.json -o out/x.json
 good surface dehn-twist from-pants.json 2 -o once.json
 good surface dehn-twist once.json '4 2' -2 -o twice.json --json
 says '"tiles": *10'
