@@ -248,6 +248,7 @@ std::size_t RadialGraph::last_common(const Walk& a, std::size_t i, bool a_forwar
 CrossingCount RadialGraph::count(const Walk& a, const Walk& b, bool same) {
   const std::size_t n = a.size();
   const std::size_t m = b.size();
+  spend(n * m);
   // Whether a step from a vertex of the first walk leaves it on the left.
   const auto is_left = [&](std::size_t i, Step e) {
     const Index out = leaves(a[i % n]);
