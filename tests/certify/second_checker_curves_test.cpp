@@ -177,6 +177,16 @@ TEST(Curves, LengthsAreThoseOfTheGeodesicsAsAWhole) {
               "REFUTED: lengths");
     EXPECT_EQ(both(changed(good, [&](Document& d) { d.curves[i].length = {1e-3, 1000}; })), "VERIFIED");
   }
+  EXPECT_THAT(message(changed(good,
+                              [](Document& d) {
+                                d.curves[0].length = {5, 1000};
+                              })),
+              HasSubstr("curve 0 is null-homotopic, or shorter than a length in [5, 1000]"));
+  EXPECT_THAT(message(changed(good,
+                              [](Document& d) {
+                                d.curves[0].length = {1, 2};
+                              })),
+              HasSubstr("curve 0 has a length in [2.539"));
   // Curve 6 runs twice through the geodesic of curve 4.
   ASSERT_EQ(good.curves[6].power, 2U);
   EXPECT_EQ(both(changed(good, [](Document& d) { d.curves[6].length = d.curves[4].length; })), "REFUTED: lengths");
@@ -517,7 +527,7 @@ TEST(Curves, BothCheckersAgreeOnRandomWords) {
         roots.pop_back();
         continue;
       }
-      CurvesDocument::Curve curve{0, words.homotopic(word), {1e-3, 1000}, roots.back().power, 0, {}};
+      CurvesDocument::Curve curve{0, word, {1e-3, 1000}, roots.back().power, 0, {}};
       curve.homology.resize(2 * genus);
       for (const std::uint32_t s : word) curve.homology[s % (2 * genus)] += s < 2 * genus ? 1 : -1;
       document.curves.push_back(curve);
