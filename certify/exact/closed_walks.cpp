@@ -245,16 +245,17 @@ std::size_t RadialGraph::last_common(const Walk& a, std::size_t i, bool a_forwar
   }
 }
 
-CrossingCount RadialGraph::count(const Walk& a, const Walk& b, bool same) {
+WalkCrossings RadialGraph::crossings(const Walk& a, const Walk& b, bool same) {
   const std::size_t n = a.size();
   const std::size_t m = b.size();
+  spend(n * m);
   // Whether a step from a vertex of the first walk leaves it on the left.
   const auto is_left = [&](std::size_t i, Step e) {
     const Index out = leaves(a[i % n]);
     const Index in = leaves(a[(i + n - 1) % n] ^ 1U);
     return plus(leaves(e), corners_ - out) < plus(in, corners_ - out);
   };
-  CrossingCount result;
+  WalkCrossings result;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < m; ++j) {
       if (a[i] % 2 != b[j] % 2 || (same && i == j)) continue;
@@ -265,15 +266,175 @@ CrossingCount RadialGraph::count(const Walk& a, const Walk& b, bool same) {
       const bool from_left = is_left(i, b[(j + m - 1) % m] ^ 1U);
       const bool to_left = is_left(along > 0 ? i + along : i + n - against % n, b[(j + last) % m]);
       if (from_left == to_left) continue;
-      ++result.points;
+      result.steps.emplace_back(i, j);
       result.signs += to_left ? 1 : -1;
     }
   }
   return result;
 }
 
-CrossingCount RadialGraph::crossings(const Walk& first, const Walk& other) { return count(first, other, false); }
+/// A graph with a map to the radial graph that takes no two edges at a vertex to one. It grows by quadrangles, each
+/// with two edges that are there.
+class RadialGraph::Hull {
+ public:
+  explicit Hull(RadialGraph& graph) : graph_(graph) {}
 
-std::size_t RadialGraph::self_crossings(const Walk& walk) { return count(walk, walk, true).points / 2; }
+  /// A lift of the centre, or of the vertex.
+  Index add_vertex(bool is_centre) {
+    graph_.spend(4 * graph_.corners_);  // With its memory.
+    is_centre_.push_back(is_centre);
+    parent_.push_back(parent_.size());
+    ends_.resize(ends_.size() + graph_.corners_, kNoSide);
+    return static_cast<Index>(parent_.size() - 1);
+  }
+
+  /// Edge number j, between a lift of the centre and one of the vertex.
+  void add_edge(Index centre, Index j, Index vertex) {
+    set_end(centre, j, vertex);
+    set_end(vertex, j, centre);
+    merge_all();
+  }
+
+  void identify(Index x, Index y) {
+    equal_.emplace_back(x, y);
+    merge_all();
+  }
+
+  /// Adds quadrangles until each two edges that are neighbours at a vertex are in one.
+  void complete() {
+    while (!changed_.empty()) {
+      const std::size_t x = root_of(parent_, changed_.back().first);
+      const Index j = changed_.back().second;
+      changed_.pop_back();
+      // The quadrangles of sides j − 1 and j, at either end of the edge.
+      const Index before = graph_.plus(j, graph_.corners_ - 1);
+      complete(x, before);
+      complete(x, j);
+      complete(x, graph_.partner_[before]);
+      complete(x, graph_.partner_[j]);
+    }
+  }
+
+  /// Whether it is the radial graph itself.
+  [[nodiscard]] bool is_all() {
+    std::size_t vertices = 0;
+    for (std::size_t x = 0; x < parent_.size(); ++x) {
+      if (parent_[x] != x) continue;
+      ++vertices;
+      for (Index j = 0; j < graph_.corners_; ++j) {
+        if (end(x, j) == kNoSide) return false;
+      }
+    }
+    return vertices == 2;
+  }
+
+ private:
+  [[nodiscard]] Index& end(std::size_t x, Index j) { return ends_[x * graph_.corners_ + j]; }
+
+  void set_end(Index x, Index j, Index other) {
+    const std::size_t root = root_of(parent_, x);
+    Index& found = end(root, j);
+    graph_.spend(1);
+    if (found != kNoSide) {
+      equal_.emplace_back(found, other);
+      return;
+    }
+    found = other;
+    changed_.emplace_back(static_cast<Index>(root), j);
+  }
+
+  /// What edges with one end and one image lead to is one vertex.
+  void merge_all() {
+    while (!equal_.empty()) {
+      const std::size_t x = root_of(parent_, equal_.back().first);
+      const std::size_t y = root_of(parent_, equal_.back().second);
+      equal_.pop_back();
+      if (x == y) continue;
+      graph_.spend(graph_.corners_);
+      parent_[y] = x;
+      for (Index j = 0; j < graph_.corners_; ++j) {
+        if (end(y, j) != kNoSide) set_end(static_cast<Index>(x), j, end(y, j));
+      }
+    }
+  }
+
+  [[nodiscard]] Index end_of(Index x, Index j) {
+    const Index found = end(root_of(parent_, x), j);
+    return found == kNoSide ? kNoSide : static_cast<Index>(root_of(parent_, found));
+  }
+
+  /// The quadrangle of side k of the polygon that has vertex x as a corner, if two edges there are its.
+  void complete(std::size_t x, Index k) {
+    graph_.spend(1);
+    const Index next = graph_.plus(k, 1);
+    const Index partner = graph_.partner_[k];
+    const Index beyond = graph_.plus(partner, 1);
+    const auto here = static_cast<Index>(x);
+    if (is_centre_[here]) {
+      // Corners: the centre, where the side starts, the centre beyond, where the side ends.
+      const Index start = end_of(here, k);
+      const Index stop = end_of(here, next);
+      if (start == kNoSide || stop == kNoSide) return;
+      close(start, beyond, stop, partner);
+    } else {
+      // The vertex where the side starts.
+      const Index centre = end_of(here, k);
+      const Index other = end_of(here, beyond);
+      if (centre == kNoSide || other == kNoSide) return;
+      close(centre, next, other, partner);
+    }
+  }
+
+  /// Lets an edge of one vertex and one of another vertex have the same end.
+  void close(Index x, Index j, Index y, Index k) {
+    Index common = end_of(x, j);
+    if (common == kNoSide) common = end_of(y, k);
+    if (common == kNoSide) common = add_vertex(!is_centre_[x]);
+    join(x, j, common);
+    join(y, k, common);
+  }
+
+  void join(Index x, Index j, Index y) {
+    if (is_centre_[x]) {
+      add_edge(x, j, y);
+    } else {
+      add_edge(y, j, x);
+    }
+  }
+
+  RadialGraph& graph_;
+  std::vector<std::size_t> parent_;  ///< Of a vertex, in a set of those that are one.
+  std::vector<bool> is_centre_;      ///< By vertex: whether it is a lift of the centre.
+  std::vector<Index> ends_;          ///< By vertex and edge.
+  std::vector<std::pair<Index, Index>> equal_;
+  std::vector<std::pair<Index, Index>> changed_;  ///< Vertices, and edges there.
+};
+
+bool RadialGraph::generate(const std::vector<const Walk*>& walks, const std::vector<Joint>& joints) {
+  Hull hull(*this);
+  std::vector<std::vector<Index>> vertices;
+  for (const Walk* walk : walks) {
+    auto& own = vertices.emplace_back();
+    for (const Step e : *walk) own.push_back(hull.add_vertex(e % 2 == 0));
+  }
+  for (std::size_t i = 0; i < walks.size(); ++i) {
+    const std::size_t n = walks[i]->size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Step e = (*walks[i])[k];
+      const Index start = vertices[i][k];
+      const Index stop = vertices[i][(k + 1) % n];
+      if (e % 2 == 0) {
+        hull.add_edge(start, e / 2, stop);
+      } else {
+        hull.add_edge(stop, e / 2, start);
+      }
+    }
+  }
+  for (const Joint& joint : joints) {
+    hull.identify(vertices[joint.walk][joint.step], vertices[joint.other_walk][joint.other_step]);
+  }
+  hull.complete();
+  return hull.is_all();
+}
 
 }  // namespace epsnet::exact

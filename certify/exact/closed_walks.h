@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "certify/exact/net_structure.h"
@@ -8,10 +9,12 @@
 /// Section 21.1 of docs/proof.md: closed curves of a surface as closed walks in its radial graph. Without numbers.
 namespace epsnet::exact {
 
-/// How two closed walks cross.
-struct CrossingCount {
-  std::size_t points = 0;
-  long signs = 0;  ///< Those from the right of the first one to its left, less the others.
+/// Where two closed walks cross.
+struct WalkCrossings {
+  /// Steps of the two at the beginning of which is the first vertex that they have in common before they cross, one
+  /// pair for each crossing.
+  std::vector<std::pair<std::size_t, std::size_t>> steps;
+  long signs = 0;  ///< The number of those from the right of the first one to its left, less the others.
 };
 
 /// The sides of the tiles, but for some, cut the surface into a polygon with 4g sides whose corners are one vertex. The
@@ -32,11 +35,18 @@ class RadialGraph {
   /// The rightmost one of the shortest closed walks in the free homotopy class of a closed walk; empty if that is
   /// trivial.
   [[nodiscard]] Walk rightmost(Walk walk);
-  /// How often a walk and another one cross, both rightmost, of primitive classes that are neither the same nor inverse
-  /// to each other, if they are as few times as possible.
-  [[nodiscard]] CrossingCount crossings(const Walk& first, const Walk& other);
-  /// The same of a walk and itself; each crossing once. The signs mean nothing.
-  [[nodiscard]] std::size_t self_crossings(const Walk& walk);
+  /// Where a walk and another one cross as few times as possible: two rightmost walks of primitive classes that are
+  /// neither the same nor inverse to each other; or a walk and itself, `same`, with each crossing twice.
+  [[nodiscard]] WalkCrossings crossings(const Walk& first, const Walk& other, bool same);
+  /// Whether walks, joined at steps of two of them, can be deformed to any closed walk: they are joined so that they
+  /// are connected, and every closed walk is homotopic to one that runs along them.
+  struct Joint {
+    std::size_t walk;
+    std::size_t step;
+    std::size_t other_walk;
+    std::size_t other_step;
+  };
+  [[nodiscard]] bool generate(const std::vector<const Walk*>& walks, const std::vector<Joint>& joints);
 
  private:
   void find_polygon(const NetStructure& net);
@@ -67,9 +77,10 @@ class RadialGraph {
   [[nodiscard]] bool shorten(Walk& walk);
   [[nodiscard]] bool take_away(Walk& walk, std::size_t first, std::size_t last);
   void shift_right(Walk& walk, std::size_t i);
-  [[nodiscard]] CrossingCount count(const Walk& a, const Walk& b, bool same);
   [[nodiscard]] std::size_t last_common(const Walk& a, std::size_t i, bool a_forwards, const Walk& b, std::size_t j,
                                         bool b_forwards);
+
+  class Hull;
 
   std::size_t steps_left_;
   std::vector<Index> side_of_;  ///< By side of a tile: the side of the polygon, or kNone.

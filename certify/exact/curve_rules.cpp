@@ -191,32 +191,33 @@ class CurveRules {
   // Rule `intersections`.
 
   void check_intersections() {
-    std::vector<std::size_t> self;
-    for (const Walk& root : roots_) self.push_back(graph_->self_crossings(root));
     for (std::size_t i = 0; i < powers_.size(); ++i) {
       const mpz_class& k = powers_[i].exponent;
-      if (k * k * self[powers_[i].root] + k - 1 != document_.curves[i].self_intersections)
+      if (k * k * self_crossings(powers_[i].root) + k - 1 != document_.curves[i].self_intersections)
         throw Refutation{curve_name(i) + " has another self-intersection number"};
     }
-    std::map<std::pair<std::size_t, std::size_t>, CrossingCount> counts;
     for (const CurvesDocument::Pair& pair : document_.pairs) {
       const Power& x = powers_[pair.first];
       const Power& y = powers_[pair.second];
-      CrossingCount count{2 * self[x.root], 0};
-      if (x.root != y.root) {
-        const auto [place, is_new] = counts.try_emplace(std::minmax(x.root, y.root));
-        if (is_new) place->second = graph_->crossings(roots_[place->first.first], roots_[place->first.second]);
-        count = place->second;
-        if (y.root < x.root) count.signs = -count.signs;
-      }
+      const bool same = x.root == y.root;
+      const std::size_t points = same ? 2 * self_crossings(x.root) : crossings(x.root, y.root).steps.size();
+      const long signs = same ? 0 : (x.root < y.root ? 1 : -1) * crossings(x.root, y.root).signs;
       const mpz_class times = x.exponent * y.exponent;
       const std::string names = curve_name(pair.first) + " and " + curve_name(pair.second);
-      if (times * count.points != pair.intersections)
-        throw Refutation{names + " have another geometric intersection number"};
-      if (times * (x.direction * y.direction * count.signs) != pair.algebraic)
+      if (times * points != pair.intersections) throw Refutation{names + " have another geometric intersection number"};
+      if (times * (x.direction * y.direction * signs) != pair.algebraic)
         throw Refutation{names + " have another algebraic intersection number"};
     }
   }
+
+  /// Of the walk with the lesser number and the other one.
+  const WalkCrossings& crossings(std::size_t i, std::size_t j) {
+    const auto [place, is_new] = crossings_.try_emplace(std::minmax(i, j));
+    const auto& [first, other] = place->first;
+    if (is_new) place->second = graph_->crossings(roots_[first], roots_[other], first == other);
+    return place->second;
+  }
+  std::size_t self_crossings(std::size_t i) { return crossings(i, i).steps.size() / 2; }
 
   // Rule `homology`.
 
@@ -252,8 +253,26 @@ class CurveRules {
 
   // Rule `filling`.
 
-  void check_filling() const {
-    if (!document_.filling.empty()) throw TooLarge{"whether curves fill is not asked by this checker"};
+  void check_filling() {
+    for (std::size_t row = 0; row < document_.filling.size(); ++row) {
+      std::vector<std::size_t> roots;
+      for (const Index i : document_.filling[row]) roots.push_back(powers_[i].root);
+      std::sort(roots.begin(), roots.end());
+      roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+      if (!fill(roots)) throw Refutation{"set " + number(row) + " does not fill"};
+    }
+  }
+
+  bool fill(const std::vector<std::size_t>& roots) {
+    std::vector<const Walk*> walks;
+    std::vector<RadialGraph::Joint> joints;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      walks.push_back(&roots_[roots[i]]);
+      for (std::size_t j = i; j < roots.size(); ++j) {
+        for (const auto& [step, other] : crossings(roots[i], roots[j]).steps) joints.push_back({i, step, j, other});
+      }
+    }
+    return graph_->generate(walks, joints);
   }
 
   const CurvesDocument& document_;
@@ -261,6 +280,7 @@ class CurveRules {
   std::optional<RadialGraph> graph_;
   std::vector<Walk> roots_;    ///< Primitive walks, rightmost, no two the same or inverse to each other.
   std::vector<Power> powers_;  ///< By curve.
+  std::map<std::pair<std::size_t, std::size_t>, WalkCrossings> crossings_;
 };
 
 }  // namespace

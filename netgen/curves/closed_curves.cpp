@@ -256,7 +256,8 @@ class Arrangement {
     for (const auto& [point, passages] : at_point) vertices_.push_back(passages);
   }
 
-  /// How many boundary circles a neighbourhood of the union has. Half-edge 2p leaves passage p forward, 2p + 1 backward.
+  /// How many boundary circles a neighbourhood of the union has. Half-edge 2p leaves passage p forward, 2p + 1
+  /// backward.
   [[nodiscard]] std::size_t boundary_circles() const {
     std::vector<std::uint32_t> opposite(2 * angle_.size());
     for (const std::vector<std::uint32_t>& passages : on_) {
@@ -340,7 +341,8 @@ constexpr double kEpsilon = 1;
 /// Vertices of a net from which words start.
 class Starts {
  public:
-  Starts(const Surface& surface, const certify::NetDocument& net) : surface_(surface), of_tile_(surface.tiles().size()) {
+  Starts(const Surface& surface, const certify::NetDocument& net)
+      : surface_(surface), of_tile_(surface.tiles().size()) {
     for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
       auto& vertex = of_tile_[TileId(net.charts[net.vertices[v].chart].tile)];
       if (!vertex) vertex = v;

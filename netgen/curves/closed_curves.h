@@ -20,12 +20,13 @@ class RadialGraph;
 
 /// A closed curve up to free homotopy, with a direction.
 struct ClosedCurve {
-  /// Of the primitive curve of which it is a power: a list that depends on the free homotopy class alone (docs/curves.md).
-  /// Two curves are freely homotopic if these lists and their powers are equal. Empty for a null-homotopic one.
+  /// Of the primitive curve of which it is a power: a list that depends on the free homotopy class alone
+  /// (docs/curves.md). Two curves are freely homotopic if these lists and their powers are equal. Empty for a
+  /// null-homotopic one.
   std::vector<std::uint32_t> root;
-  std::uint32_t power = 1;                        ///< The greatest k for which it is a k-th power.
-  std::uint64_t self_intersections = 0;           ///< The least number of double points in general position.
-  std::vector<std::int64_t> homology;             ///< By curve of the homology basis: a coefficient of its class.
+  std::uint32_t power = 1;                         ///< The greatest k for which it is a k-th power.
+  std::uint64_t self_intersections = 0;            ///< The least number of double points in general position.
+  std::vector<std::int64_t> homology;              ///< By curve of the homology basis: a coefficient of its class.
   std::optional<std::uint32_t> genus_on_the_left;  ///< If it is simple and separates the surface.
 
   [[nodiscard]] bool is_null_homotopic() const { return root.empty(); }
@@ -57,8 +58,8 @@ class CurveTopology {
   /// O(sides).
   explicit CurveTopology(const Surface& surface);
 
-  /// Closed paths from tile 0, a₁, b₁, a₂, b₂, …, whose classes are a symplectic basis of H₁(S; ℤ): b_i crosses a_i once
-  /// from right to left, and all other algebraic numbers are 0.
+  /// Closed paths from tile 0, a₁, b₁, a₂, b₂, …, whose classes are a symplectic basis of H₁(S; ℤ): b_i crosses a_i
+  /// once from right to left, and all other algebraic numbers are 0.
   [[nodiscard]] const std::vector<Word>& homology_basis() const { return basis_; }
 
   /// O(n²) for a word of n letters.
@@ -75,9 +76,10 @@ class CurveTopology {
   /// point once. Angles have some 50 bits. Throws LimitError if words are too long for that.
   [[nodiscard]] std::vector<GeodesicCrossing> crossings(const ClosedCurve& first, const ClosedCurve& second) const;
 
-  /// The derivative of the length of a curve's geodesic with respect to a twist along a simple one, as the other side is
-  /// moved to the left by a length (`twisted`, pants.h): −Σ cos θ, θ from the simple one to the curve that crosses it from
-  /// right to left (S. Wolpert, The Fenchel–Nielsen deformation, Ann. of Math. 115, 1982, Theorem 3.1). Contains it.
+  /// The derivative of the length of a curve's geodesic with respect to a twist along a simple one, as the other side
+  /// is moved to the left by a length (`twisted`, pants.h): −Σ cos θ, θ from the simple one to the curve that crosses
+  /// it from right to left (S. Wolpert, The Fenchel–Nielsen deformation, Ann. of Math. 115, 1982, Theorem 3.1).
+  /// Contains it.
   [[nodiscard]] certify::Interval twist_derivative(const ClosedCurve& curve, const ClosedCurve& along) const;
 
   /// Whether all components of the complement of the geodesics are disks; computed with 256 bits, where crossings lie
@@ -96,8 +98,9 @@ struct CurvesOptions {
   Progress progress = {};  ///< Called occasionally, if given.
 };
 
-/// Returns what is known of a list of closed curves, none of them null-homotopic, with a proof: the curves of the document
-/// are the given ones and, after them, the homology basis. If `fill` says that the given ones fill, that is claimed.
+/// Returns what is known of a list of closed curves, none of them null-homotopic, with a proof: the curves of the
+/// document are the given ones and, after them, the homology basis. If `fill` says that the given ones fill, that is
+/// claimed.
 ///
 /// Throws CurveError (pants.h) for a null-homotopic curve or a word that is not a path from a tile to itself, and
 /// NotCertifiedError if the proof fails. O(n²) for n curves and letters.

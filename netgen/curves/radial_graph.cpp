@@ -48,8 +48,7 @@ RadialGraph::RadialGraph(const Surface& surface)
   const OneVertexPolygon contracted = with_one_vertex(polygon.partner);
   const auto old_count = static_cast<std::uint32_t>(polygon.side.size());
   for (std::uint32_t k = 0; k < old_count; ++k) {
-    passage_[polygon.side[k]] =
-        Passage{contracted.number[k], contracted.number[(polygon.partner[k] + 1) % old_count]};
+    passage_[polygon.side[k]] = Passage{contracted.number[k], contracted.number[(polygon.partner[k] + 1) % old_count]};
   }
   for (const std::uint32_t k : contracted.kept) {
     partner_.push_back(contracted.number[polygon.partner[k]]);

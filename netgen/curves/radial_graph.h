@@ -16,8 +16,8 @@ namespace epsnet {
 /// empty walk is null-homotopic.
 using ClosedWalk = std::vector<std::uint32_t>;
 
-/// A pair of lifts of two closed walks that cross, one of each pair up to the group: they pass through one vertex of the
-/// graph, the start of edge `first` of the first walk and of edge `second` of the other one.
+/// A pair of lifts of two closed walks that cross, one of each pair up to the group: they pass through one vertex of
+/// the graph, the start of edge `first` of the first walk and of edge `second` of the other one.
 struct WalkCrossing {
   std::uint32_t first;
   std::uint32_t second;
@@ -50,7 +50,8 @@ class RadialGraph {
   [[nodiscard]] ClosedWalk reversed(const ClosedWalk& walk) const;
   /// The sides of the polygon that a walk crosses, outward, one after the other, from the start of an outward edge on.
   [[nodiscard]] std::vector<std::uint32_t> sides_of(const ClosedWalk& walk, std::size_t start = 0) const;
-  /// The sides of the polygon that are crossed, outward, on the way around the vertex from one edge to another, the shorter way.
+  /// The sides of the polygon that are crossed, outward, on the way around the vertex from one edge to another, the
+  /// shorter way.
   [[nodiscard]] std::vector<std::uint32_t> sides_around(std::uint32_t from, std::uint32_t to) const;
   /// A path from tile 0 to itself that crosses these sides of the polygon.
   [[nodiscard]] Word path(const std::vector<std::uint32_t>& sides) const;
@@ -106,7 +107,7 @@ class RadialGraph {
   [[nodiscard]] ClosedWalk reduced(ClosedWalk walk) const;
   void push_right(ClosedWalk& walk) const;
   [[nodiscard]] std::vector<WalkCrossing> all_crossings(const ClosedWalk& first, const ClosedWalk& second,
-                                                       bool same) const;
+                                                        bool same) const;
 
   Surface surface_;
   ById<TileId, Word> paths_;  ///< By tile: from tile 0 to it, inside the polygon.

@@ -147,7 +147,8 @@ void examine_curves(const CurvesRequest& request) {
     }
   }();
   Report report = verified_report();
-  for (const Report& part : {curves_report(found.document), computed_report(surface, given, request.angles, !found.document.filling.empty())}) {
+  for (const Report& part : {curves_report(found.document),
+                             computed_report(surface, given, request.angles, !found.document.filling.empty())}) {
     report.text += part.text;
     report.json.update(part.json);
   }
@@ -192,10 +193,10 @@ Report curves_report(const CurvesDocument& document) {
 
 void add_curves_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<CurvesRequest>();
-  CLI::App* command = app.add_subcommand(
-      "curves",
-      "How closed curves meet, proved: intersection numbers, which are simple or separating, their classes in homology, "
-      "and whether they fill the surface.");
+  CLI::App* command = app.add_subcommand("curves",
+                                         "How closed curves meet, proved: intersection numbers, which are simple or "
+                                         "separating, their classes in homology, "
+                                         "and whether they fill the surface.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   command
       ->add_option("WORD", shared->words,

@@ -3146,6 +3146,216 @@ def different_by_a_systole():
     return document
 
 
+# ---- Closed curves -----------------------------------------------------------------------------------------------
+
+group = "curves"
+
+
+def curves(*changes, **members):
+    """Closed curves of an octagon, of tests/data/curves, with curves and pairs changed: (i, member, value) and
+    ((i, j), member, value)."""
+    with open(os.path.join(TOP, "tests", "data", "curves", "octagon-5.json"), encoding="utf-8") as file:
+        document = {**json.load(file), **members}
+    for which, member, value in changes:
+        row = document["curves"][which] if isinstance(which, int) else pair_of(document, *which)
+        row[member] = value(row[member]) if callable(value) else value
+    return document
+
+
+def pair_of(document, i, j):
+    return next(row for row in document["pairs"] if (row["first"], row["second"]) == (i, j))
+
+
+def with_curve(document, i, word, **members):
+    """With the word of another curve, and its length if it is not given."""
+    document["curves"][i].update(word=word, **members)
+    return document
+
+
+@refuted("lengths")
+def curve_that_is_null_homotopic():
+    """A word around the vertex of the octagon, which no letter cancels."""
+    document = curves()
+    surface = Surface(document["net"]["surface"])
+    word, side = [], 0
+    while not word or side != 0:
+        word.append(side)
+        side = (surface.partner[side] + 1) % 8
+    return with_curve(document, 5, word, length=[1e-9, 1e-8])
+
+
+@refuted("lengths")
+def curve_that_is_a_square_with_the_length_of_its_root():
+    """The curve is run through twice, its length is that of one time."""
+    return curves((6, "length", curves()["curves"][4]["length"]))
+
+
+@refuted("powers")
+def curve_that_is_a_square_said_to_be_primitive():
+    """A square, with the number of self-intersections that a primitive curve could have."""
+    return curves((6, "power", 1))
+
+
+@refuted("powers")
+def curve_that_is_primitive_said_to_be_a_square():
+    """Its class in homology is twice another one, for a basis that is half as fine."""
+    return curves((10, "power", 2))
+
+
+@refuted("intersections")
+def curve_that_is_a_cube_said_to_be_simple():
+    """A power of a simple curve, whose parallel strands have to cross to close up."""
+    return curves((7, "self_intersections", 0))
+
+
+@refuted("intersections")
+def curve_that_is_a_square_with_the_crossings_of_its_points_alone():
+    """The four crossings at the one point where its root crosses itself, without that which closes it up."""
+    return curves((6, "self_intersections", 4))
+
+
+@refuted("intersections")
+def curves_of_one_geodesic_said_to_be_disjoint():
+    """A curve with a crossing, and its square, which is moved apart from it along the geodesic but not at the crossing."""
+    return curves(((4, 6), "intersections", 0))
+
+
+@refuted("intersections")
+def curves_of_one_geodesic_with_as_many_common_points_as_one_of_them_has():
+    """Half as many as they have: the crossing of the root is one of two passages of both."""
+    return curves(((4, 6), "intersections", 2))
+
+
+@refuted("intersections")
+def curves_that_cross_the_other_way():
+    """The sign of the algebraic number of two curves that cross once, as if the surface had the other orientation."""
+    return curves(((1, 2), "algebraic", lambda sign: -sign))
+
+
+@refuted("intersections")
+def curves_all_crossing_the_other_way():
+    """All signs: the numbers of the mirror image, which has the same basis and the same classes."""
+    document = curves()
+    for row in document["pairs"]:
+        row["algebraic"] = -row["algebraic"]
+    return document
+
+
+@refuted("intersections")
+def curves_with_more_points_than_they_need():
+    """Two more common points, as curves in general position may have."""
+    return curves(((0, 1), "intersections", lambda number: number + 2))
+
+
+@refuted("homology")
+def curve_of_the_class_of_its_inverse():
+    """The class of a curve, with the other sign, and the algebraic numbers of the curve."""
+    return curves((10, "homology", lambda row: [-n for n in row]))
+
+
+@refuted("homology", says="determinant")
+def basis_of_a_third_of_all_classes():
+    """A cube in place of the curve itself: everything has rational coefficients in this basis."""
+    document = curves()
+    rows = [row["homology"] for row in document["curves"]]
+    # Curve 7 is three times (1, −1, 0, −1): in place of curve 1 of the basis.
+    document["basis"][0] = 7
+    for row, (a, b, c, d) in zip(document["curves"], rows):
+        row["homology"] = [a // 3, b + a, c, d + a]
+    return document
+
+
+@refuted("homology", says="has 0 curves|not 0$")
+def basis_of_nothing():
+    """No curve in the basis, so the determinant is 1, and no coefficient is wrong."""
+    document = curves(basis=[])
+    for row in document["curves"]:
+        row["homology"] = []
+    return document
+
+
+@refuted("homology", says="has 2 curves|not 2$")
+def basis_of_two_curves():
+    """Two curves that cross once, whose matrix has the determinant 1; all other curves but these are left out."""
+    document = curves(basis=[0, 1], filling=[])
+    kept = [1, 2]
+    document["pairs"] = [{**pair_of(document, *kept), "first": 0, "second": 1}]
+    document["curves"] = [{**document["curves"][i], "homology": [int(k == j) for k in range(2)]}
+                          for j, i in enumerate(kept)]
+    return document
+
+
+@refuted("filling")
+def curve_that_fills_alone():
+    """A curve with one crossing: one of the components of its complement is no disk, as 2 − 2g = −1 + b has no b > 0."""
+    return curves(filling=[[4]])
+
+
+@refuted("filling")
+def curves_that_cross_often_and_do_not_fill():
+    """Three curves with four crossings, one more than a complement of one disk needs."""
+    return curves(filling=[[0, 1, 2, 3], [3, 4, 5]])
+
+
+@refuted("filling")
+def no_curves_that_fill():
+    """An empty set of curves."""
+    return curves(filling=[[]])
+
+
+@refuted("filling")
+def curve_and_its_powers_that_fill():
+    """The same geodesic several times, with many crossings."""
+    return curves(filling=[[4, 6]])
+
+
+@malformed("pairs[0]")
+def pairs_of_curves_the_other_way_round():
+    """The first pair with the second curve first."""
+    document = curves()
+    document["pairs"][0].update(first=1, second=0)
+    return document
+
+
+@malformed("pairs")
+def pairs_of_curves_of_which_one_is_missing():
+    """The last pair is left out."""
+    return with_(curves(), pairs=curves()["pairs"][:-1])
+
+
+@malformed("pairs[1].algebraic")
+def algebraic_number_of_a_fraction():
+    """A number with a fraction that is zero."""
+    return curves(((0, 2), "algebraic", 1.0))
+
+
+@malformed("curves[3].self_intersections")
+def self_intersections_less_than_none():
+    """A number with a sign."""
+    return curves((3, "self_intersections", -1))
+
+
+@malformed("curves[3]")
+def self_intersections_beyond_2_to_the_53():
+    """An integer that a program which keeps numbers in binary64 reads as another one."""
+    return curves((3, "self_intersections", 2 ** 53 + 1))
+
+
+@disguise()
+def curves_as_they_are():
+    """The file that most of these are made from."""
+    return curves()
+
+
+@disguise()
+def curves_with_detours():
+    """A word that goes forth and back a hundred times before it begins."""
+    document = curves()
+    word = document["curves"][3]["word"]
+    by = [7, 2, 5] * 30
+    return with_curve(document, 3, by + word + backwards(document, by))
+
+
 # ---- Pants decompositions ----------------------------------------------------------------------------------------
 
 group = "pants"
@@ -4503,7 +4713,7 @@ GROUPS = {
     "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
     "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
     "collars": "Pseudo nets", "geodesics": "Closed geodesics", "eigenvalues": "Eigenvalues",
-    "isometries": "Isometries", "comparisons": "Two surfaces", "pants": "Pants decompositions",
+    "isometries": "Isometries", "comparisons": "Two surfaces", "curves": "Closed curves", "pants": "Pants decompositions",
     "distances": "Distances", "bounds": "Diameter, radius, embedded disk", "disguises": "Disguises"}
 
 

@@ -1013,6 +1013,86 @@ def pants_in_a_tile_of_long_coordinates():
     return result
 
 
+def curves_file(name="octagon-5"):
+    with open(os.path.join(data, "curves", name + ".json")) as file:
+        return json.load(file)
+
+
+def curves_with_the_word(word):
+    result = curves_file()
+    result["curves"][5].update(word=word, length=[0.001, 1e6])
+    return result
+
+
+def curves_of(net, words, homology=None):
+    """Of these words, with numbers that are wrong, for a basis of the first ones."""
+    size = len(homology[0]) if homology else 0
+    curves = [{"vertex": 0, "word": word, "length": [0.001, 1e6], "power": 1, "self_intersections": 0,
+               "homology": homology[i] if homology else []} for i, word in enumerate(words)]
+    pairs = [{"first": i, "second": j, "intersections": 1, "algebraic": 1}
+             for i in range(len(words)) for j in range(i + 1, len(words))]
+    return {"format": "epsnet-curves", "version": 1, "net": net, "curves": curves, "pairs": pairs,
+            "basis": list(range(size)), "filling": []}
+
+
+@kind
+def curves_of_long_words():
+    return curves_with_the_word(reduced_word(8, 400_000))
+
+
+@kind
+def curves_of_many_letters():
+    """Words of a few thousand letters, which cross each other and themselves in many points."""
+    result = curves_file()
+    for row in result["curves"]:
+        row.update(word=reduced_word(8, 4_000), length=[0.001, 1e6], power=1)
+    return result
+
+
+@kind
+def curves_of_large_powers():
+    return curves_with_the_word(curves_file()["curves"][5]["word"] * 100_000)
+
+
+@kind
+def curves_that_cancel_to_nothing():
+    """Not letter by letter: forwards and backwards."""
+    word = reduced_word(8, 150_000)
+    return curves_with_the_word(word + [(side + 4) % 8 for side in reversed(word)])
+
+
+@kind
+def curves_around_a_vertex():
+    """Around the vertex of the octagon, a hundred thousand times: null-homotopic, and no letter cancels."""
+    around, side = [], 0
+    while not around or side != 0:
+        around.append(side)
+        side = ((side + 4) % 8 + 1) % 8
+    return curves_with_the_word(around * 20_000)
+
+
+@kind
+def curves_many():
+    """A hundred and fifty random words, each two of which are a pair."""
+    return curves_of(regular_net(2), [reduced_word(8, 12) for _ in range(150)])
+
+
+@kind
+def curves_of_genus_80():
+    """A basis, true but for the lengths, which are not said exactly: a matrix of 160 rows."""
+    return curves_of(regular_net(80), [[k] for k in range(160)],
+                     [[int(k == j) for k in range(160)] for j in range(160)])
+
+
+@kind
+def curves_of_many_sets():
+    result = curves_file("bolza")
+    room = SIZE - len(json.dumps(result))
+    row = result["filling"][0]
+    result["filling"] = [row] * (room // (len(json.dumps(row)) + 2))
+    return result
+
+
 @kind
 def pants_nested_deeply():
     result = pants_file()

@@ -79,6 +79,14 @@ expect comparison-of-long-words UNDECIDED
 expect comparison-of-long-paths UNDECIDED
 expect comparison-by-a-far-lift VERIFIED
 expect comparison-of-many-geodesics UNDECIDED
+expect curves-of-long-words UNDECIDED
+expect curves-of-many-letters UNDECIDED
+expect curves-of-large-powers UNDECIDED
+expect curves-that-cancel-to-nothing 'REFUTED: lengths'
+expect curves-around-a-vertex 'REFUTED: lengths'
+expect curves-many 'REFUTED: intersections'
+expect curves-of-genus-80 UNDECIDED
+expect curves-of-many-sets VERIFIED
 expect pants-of-a-random-path 'REFUTED: pants'
 expect pants-of-a-path-that-cancels UNDECIDED
 expect pants-of-a-path-that-cancels-to-nothing UNDECIDED

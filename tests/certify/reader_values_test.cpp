@@ -155,6 +155,19 @@ Json comparison(const char* claim) {
   return result;
 }
 
+Json curves() {
+  Json result = Json::parse(R"({"format": "epsnet-curves", "version": 1, "curves": [
+      {"vertex": 0, "word": [0, 3], "length": [0.5, 1.25], "power": 3, "self_intersections": 4, "homology": [1, -2]},
+      {"vertex": 0, "word": [7], "length": [2, 2], "power": 1, "self_intersections": 0, "homology": [0, 0]},
+      {"vertex": 0, "word": [], "length": [3, 4], "power": 2, "self_intersections": 17, "homology": [-7, 5]}],
+      "pairs": [{"first": 0, "second": 1, "intersections": 5, "algebraic": -3},
+                {"first": 0, "second": 2, "intersections": 0, "algebraic": 0},
+                {"first": 1, "second": 2, "intersections": 9007199254740992, "algebraic": -9007199254740992}],
+      "basis": [2, 0], "filling": [[0, 2], [], [1]]})");
+  result["net"] = regular_net();
+  return result;
+}
+
 std::vector<Json> files() {
   return {surface_file(tiles()),
           surface_file(regular()),
@@ -174,7 +187,8 @@ std::vector<Json> files() {
           isometries(),
           pants(),
           comparison("isometric"),
-          comparison("different")};
+          comparison("different"),
+          curves()};
 }
 
 /// What the reader understands, as JSON; null if it accepts nothing.

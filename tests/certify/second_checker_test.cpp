@@ -107,6 +107,7 @@ TEST(SecondChecker, VerifiesClaimsOfEveryKindThatItKnows) {
                                  "pants/bolza",
                                  "pants/fenchel-nielsen-2",
                                  "pants/cuff-1e-12",
+                                 "curves/klein",
                                  "eigenvalues/octagon-5",
                                  "eigenvalues/octagon-5-of-one-vertex",
                                  "eigenvalues/octagon-5-from-a-quarter",

@@ -147,8 +147,8 @@ TEST(CurveTopology, AChainOfTwiceTheGenusFillsAndAShorterOneDoesNot) {
       bool fits = chains < 20;
       for (std::size_t k = 0; k < chain.size() && fits; ++k) {
         const std::uint64_t expected = k + 1 == chain.size() ? 1 : 0;
-        fits = topology.same_geodesic(chain[k], next) == 0 &&
-               topology.intersections(chain[k], next).geometric == expected;
+        fits =
+            topology.same_geodesic(chain[k], next) == 0 && topology.intersections(chain[k], next).geometric == expected;
       }
       if (!fits) continue;
       chain.push_back(next);
@@ -161,8 +161,8 @@ TEST(CurveTopology, AChainOfTwiceTheGenusFillsAndAShorterOneDoesNot) {
 }
 
 TEST(CurveTopology, ShortestGeodesicsOfBolzasSurfaceFill) {
-  // Each passes through two of the six fixed points of the hyperelliptic involution, and four of the twelve through each
-  // of these points. They meet nowhere else, so six pairs of them cross at each.
+  // Each passes through two of the six fixed points of the hyperelliptic involution, and four of the twelve through
+  // each of these points. They meet nowhere else, so six pairs of them cross at each.
   const Surface bolza = Surface::regular(2);
   const CurveTopology topology(bolza);
   const std::vector<ClosedCurve> shortest = curves_up_to(bolza, topology, "3.1");

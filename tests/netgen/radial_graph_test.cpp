@@ -137,8 +137,9 @@ TEST(RadialGraph, WordsAndGeodesicsAgree) {
 /// Surfaces of one tile and of several, with one vertex and with many.
 const std::vector<Surface>& surfaces() {
   static const std::vector<Surface> result{
-      random_octagon(5), Surface::regular(3), named_surface("klein"), named_surface("bring"), generic_surface(2, 3),
-      fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, 1), 1))};
+      random_octagon(5),      Surface::regular(3),
+      named_surface("klein"), named_surface("bring"),
+      generic_surface(2, 3),  fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, 1), 1))};
   return result;
 }
 
@@ -150,8 +151,8 @@ const RadialGraph& graph_of(std::size_t number) {
 rc::Gen<std::size_t> any_surface() { return rc::gen::inRange<std::size_t>(0, surfaces().size()); }
 
 SideId any_side_of(const Surface& surface, TileId tile) {
-  return surface.side_number(tile, *rc::gen::inRange<std::uint32_t>(
-                                       0, static_cast<std::uint32_t>(surface.tile(tile).size())));
+  return surface.side_number(
+      tile, *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(surface.tile(tile).size())));
 }
 
 /// A closed path from a tile.

@@ -269,23 +269,34 @@ class CurvesCheck {
   // Rule lengths.
 
   void check_lengths(const LiftedPlane& plane) {
-    std::vector<Tri> answers(document_.curves.size());
+    struct Answer {
+      Tri is_long = Tri::unknown;
+      Tri is_short = Tri::unknown;
+    };
+    std::vector<Answer> answers(document_.curves.size());
     for_each_parallel(answers.size(), run_.threads(), [&](unsigned, std::size_t i) {
       const Ball cosh_half = cosh_half_length(element(plane, i));
       const auto& [lower, upper] = document_.curves[i].length;
-      answers[i] = both(certainly_less(cosh(half(Ball::exactly(lower))), cosh_half),
-                        certainly_less(cosh_half, cosh(half(Ball::exactly(upper)))));
+      answers[i] = {certainly_less(cosh(half(Ball::exactly(lower))), cosh_half),
+                    certainly_less(cosh_half, cosh(half(Ball::exactly(upper))))};
     });
     for (const Tri wanted : {Tri::no, Tri::unknown}) {
-      const auto found = std::find(answers.begin(), answers.end(), wanted);
+      const auto found = std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+        return answer.is_long == wanted || answer.is_short == wanted;
+      });
       if (found == answers.end()) continue;
       const auto i = static_cast<std::size_t>(found - answers.begin());
       const std::string claimed = to_string(document_.curves[i].length);
-      const bool wrong = wanted == Tri::no;
-      return report(kCurveLengths, wrong ? Verdict::refuted : Verdict::undecided,
-                    curve_name(i) + " has a length in " +
-                        to_string(translation_length(element(plane, i), plane.precision())) +
-                        (wrong ? ", not in " + claimed : ", not decided whether in " + claimed + ", with " + bits_));
+      if (found->is_long == Tri::no) {
+        return report(kCurveLengths, Verdict::refuted,
+                      curve_name(i) + " is null-homotopic, or shorter than a length in " + claimed);
+      }
+      const std::string actual =
+          " has a length in " + to_string(translation_length(element(plane, i), plane.precision()));
+      if (wanted == Tri::no)
+        return report(kCurveLengths, Verdict::refuted, curve_name(i) + actual + ", not in " + claimed);
+      return report(kCurveLengths, Verdict::undecided,
+                    curve_name(i) + actual + ", not decided whether in " + claimed + ", with " + bits_);
     }
     report(kCurveLengths, Verdict::verified,
            counted(answers.size(), "closed geodesic has its length in its interval",
