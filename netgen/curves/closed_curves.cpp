@@ -1,17 +1,13 @@
 #include "netgen/curves/closed_curves.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "certify/numbers/isometry.h"
-#include "netgen/base/disjoint_sets.h"
 #include "netgen/curves/radial_graph.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/curve_system.h"
@@ -109,195 +105,6 @@ std::uint32_t genus_on_the_left(const RadialGraph& graph, const ClosedWalk& walk
   const auto twice_genus = static_cast<std::int64_t>(count);
   return static_cast<std::uint32_t>(((trace % twice_genus) + twice_genus) % twice_genus / 2);
 }
-
-// ---- the arrangement of closed geodesics, with 256 bits ----
-
-using Number = CurveSystem::Number;
-using Vector = CurveSystem::Vector;
-
-/// An axis with its direction; normals are positive on the left.
-struct DirectedAxis {
-  Vector normal;
-  Vector point;
-  Vector forward;
-  Number length;
-};
-
-/// The axis of a closed path, in the coordinates of its tile; the point is the one nearest to `origin`.
-DirectedAxis axis_of(const LiftedTiles& tiles, const Word& path, const Vector& origin) {
-  Isometry<Number> f = inverse(tiles.value(path));
-  if (f.a.x < 0) f = {-f.a, -f.b};
-  const Number square = isometry_discriminant(f);
-  // Below that, all bits may be lost.
-  if (!(square > 1e-30) || f.a.x > 1e30) throw LimitError("a closed curve is too long or too short for 256 bits");
-  DirectedAxis axis;
-  axis.length = 2 * asinh(Number(sqrt(square)));
-  axis.normal = Number(1 / sqrt(square)) * axis_normal(f);
-  const Number height = lorentz_product(origin, axis.normal);
-  axis.point = Number(1 / sqrt(Number(1 + height * height))) * (origin + Number(-height) * axis.normal);
-  axis.forward = lorentz_cross(axis.normal, axis.point);
-  if (lorentz_product(axis.forward, image(f, axis.point)) < 0) axis.forward = Number(-1) * axis.forward;
-  return axis;
-}
-
-/// From the axis' point to the projection of a point.
-Number place_on(const DirectedAxis& axis, const Vector& x) {
-  const Number a = -lorentz_product(x, axis.point);
-  const Number b = lorentz_product(x, axis.forward);
-  return log(Number((a + b) / (a - b))) / 2;
-}
-
-/// The union of closed geodesics as a graph on the surface, of which the complement is counted.
-class Arrangement {
- public:
-  /// Requires: primitive curves, no two the same up to direction.
-  Arrangement(const RadialGraph& graph, const std::vector<ClosedWalk>& walks)
-      : graph_(graph), tiles_(graph.surface(), 1), walks_(walks), on_(walks.size()) {
-    for (const ClosedWalk& walk : walks) add_centres(walk);
-    for (std::uint32_t i = 0; i < walks.size(); ++i) {
-      for (const WalkCrossing& crossing : graph.self_crossings(walks[i])) add(i, i, crossing);
-      for (std::uint32_t j = 0; j < i; ++j) {
-        for (const WalkCrossing& crossing : graph.crossings(walks[i], walks[j])) add(i, j, crossing);
-      }
-    }
-    make_passages();
-  }
-
-  /// Whether all components of the complement are disks.
-  [[nodiscard]] bool fills() const {
-    DisjointSets parts(static_cast<std::size_t>(walks_.size()));
-    for (const Crossing& crossing : crossings_) parts.join(crossing.ends[0].curve, crossing.ends[1].curve);
-    for (std::uint32_t i = 0; i < walks_.size(); ++i) {
-      if (on_[i].empty() || parts.find(i) != 0) return false;
-    }
-    // Disks glued to the boundary circles of a neighbourhood of the union make a closed surface, which is this one if
-    // the Euler characteristics agree. There are as many edges as passages.
-    const auto number = [](std::size_t n) { return static_cast<std::int64_t>(n); };
-    return number(vertices_.size()) - number(angle_.size()) + number(boundary_circles()) ==
-           2 - 2 * number(graph_.surface().genus());
-  }
-
- private:
-  /// Where one of two geodesics that cross passes through the point.
-  struct End {
-    std::uint32_t curve;
-    Number place;               ///< Along the geodesic.
-    std::uint32_t passage = 0;  ///< Its number: ends at one place are one passage.
-  };
-  struct Crossing {
-    std::array<End, 2> ends;
-    double angle;  ///< From the direction of the first one to that of the second one, counterclockwise.
-  };
-
-  [[nodiscard]] const Vector& origin() const { return tiles_.centre(TileId(0)); }
-
-  /// The places of the polygon's centres along a geodesic.
-  void add_centres(const ClosedWalk& walk) {
-    std::vector<Number>& places = centres_.emplace_back();
-    Number place = 0;
-    for (std::size_t i = 0; i < walk.size(); i += 2) {
-      places.push_back(place);
-      const DirectedAxis axis = axis_of(tiles_, graph_.path(graph_.sides_of(walk, i)), origin());
-      const Word step = graph_.path(graph_.sides_around(walk[i], walk[i + 1]));
-      place += place_on(axis, image(inverse(tiles_.value(step)), origin()));
-      if (i == 0) lengths_.push_back(axis.length);
-    }
-  }
-
-  void add(std::uint32_t first, std::uint32_t second, const WalkCrossing& crossing) {
-    const RadialGraph::CrossingPaths paths = graph_.crossing_paths(walks_[first], walks_[second], crossing);
-    const DirectedAxis axis = axis_of(tiles_, paths.first, origin());
-    const DirectedAxis other = axis_of(tiles_, paths.second, image(inverse(tiles_.value(paths.way)), origin()));
-    Vector point = lorentz_cross(axis.normal, other.normal);
-    if (point.t < 0) point = Number(-1) * point;
-    const auto end = [&](std::uint32_t curve, std::uint32_t vertex, const DirectedAxis& line) {
-      const Number place = centres_[curve][vertex / 2] + place_on(line, point);
-      return End{curve, place - floor(Number(place / lengths_[curve])) * lengths_[curve]};
-    };
-    const auto cosine = static_cast<double>(lorentz_product(axis.normal, other.normal));
-    crossings_.push_back({{end(first, crossing.first, axis), end(second, crossing.second, other)},
-                          crossing.sign * std::acos(std::clamp(cosine, -1.0, 1.0))});
-  }
-
-  /// Numbers passages along each geodesic, and joins those that cross to vertices.
-  void make_passages() {
-    const Number equal = 1e-20;
-    std::vector<std::vector<End*>> ends(walks_.size());
-    for (Crossing& crossing : crossings_) {
-      for (End& end : crossing.ends) ends[end.curve].push_back(&end);
-    }
-    std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < ends.size(); ++i) {
-      std::sort(ends[i].begin(), ends[i].end(), [](const End* a, const End* b) { return a->place < b->place; });
-      for (std::size_t k = 0; k < ends[i].size(); ++k) {
-        if (k == 0 || ends[i][k]->place - ends[i][k - 1]->place > equal) on_[i].push_back(count++);
-        ends[i][k]->passage = on_[i].back();
-      }
-      // The end of the period is its beginning.
-      if (on_[i].size() > 1 && ends[i].front()->place + lengths_[i] - ends[i].back()->place <= equal) {
-        for (End* const end : ends[i]) {
-          if (end->passage == on_[i].back()) end->passage = on_[i].front();
-        }
-        on_[i].pop_back();
-        --count;
-      }
-    }
-    angle_.resize(count);
-    DisjointSets points(count);
-    for (const auto& [at, angle] : crossings_) points.join(at[0].passage, at[1].passage);
-    for (const auto& [at, angle] : crossings_) {
-      // As seen from the first passage of the point.
-      const std::uint32_t first = points.find(at[0].passage);
-      if (at[0].passage == first) angle_[at[1].passage] = angle;
-      if (at[1].passage == first) angle_[at[0].passage] = -angle;
-    }
-    std::map<std::uint32_t, std::vector<std::uint32_t>> at_point;
-    for (std::uint32_t p = 0; p < count; ++p) at_point[points.find(p)].push_back(p);
-    for (const auto& [point, passages] : at_point) vertices_.push_back(passages);
-  }
-
-  /// How many boundary circles a neighbourhood of the union has. Half-edge 2p leaves passage p forward, 2p + 1
-  /// backward.
-  [[nodiscard]] std::size_t boundary_circles() const {
-    std::vector<std::uint32_t> opposite(2 * angle_.size());
-    for (const std::vector<std::uint32_t>& passages : on_) {
-      for (std::size_t k = 0; k < passages.size(); ++k) {
-        const std::uint32_t out = 2 * passages[k];
-        const std::uint32_t in = 2 * passages[(k + 1) % passages.size()] + 1;
-        opposite[out] = in;
-        opposite[in] = out;
-      }
-    }
-    std::vector<std::uint32_t> next(opposite.size());  // Counterclockwise.
-    for (const std::vector<std::uint32_t>& passages : vertices_) {
-      std::vector<std::pair<double, std::uint32_t>> around;
-      for (const std::uint32_t p : passages) {
-        around.emplace_back(angle_[p] < 0 ? angle_[p] + 2 * std::numbers::pi : angle_[p], 2 * p);
-        around.emplace_back(angle_[p] < 0 ? angle_[p] + std::numbers::pi : angle_[p] + std::numbers::pi, 2 * p + 1);
-      }
-      std::sort(around.begin(), around.end());
-      for (std::size_t k = 0; k < around.size(); ++k) next[around[k].second] = around[(k + 1) % around.size()].second;
-    }
-    std::vector<bool> seen(opposite.size());
-    std::size_t circles = 0;
-    for (std::uint32_t start = 0; start < seen.size(); ++start) {
-      if (seen[start]) continue;
-      ++circles;
-      for (std::uint32_t half = start; !seen[half]; half = next[opposite[half]]) seen[half] = true;
-    }
-    return circles;
-  }
-
-  const RadialGraph& graph_;
-  LiftedTiles tiles_;
-  std::vector<ClosedWalk> walks_;
-  std::vector<std::vector<Number>> centres_;
-  std::vector<Number> lengths_;
-  std::vector<Crossing> crossings_;
-  std::vector<std::vector<std::uint32_t>> on_;        ///< By geodesic: its passages, in their order along it.
-  std::vector<double> angle_;                         ///< By passage: its direction, from that of one at its point.
-  std::vector<std::vector<std::uint32_t>> vertices_;  ///< By point: its passages.
-};
 
 // ---- what balls enclose ----
 
@@ -405,15 +212,6 @@ class Rows {
   CurveSystem system_;
   LiftedTiles tiles_;
 };
-
-/// Whether curves fill, as far as they are not too long for that.
-bool certainly_fill(const CurveTopology& topology, std::span<const ClosedCurve> curves) {
-  try {
-    return topology.fill(curves);
-  } catch (const LimitError&) {
-    return false;
-  }
-}
 
 /// A curve that `curves` is given. Throws CurveError.
 ClosedCurve checked_curve(const CurveTopology& topology, std::size_t number, const Word& word) {
@@ -526,7 +324,7 @@ bool CurveTopology::fill(std::span<const ClosedCurve> curves) const {
     different.push_back(curve);
     roots.push_back(curve.root);
   }
-  return !roots.empty() && Arrangement(*graph_, roots).fills();
+  return graph_->fill(roots);
 }
 
 certify::CurvesDocument unproved::curves(const Surface& surface, std::span<const Word> words,
@@ -559,7 +357,7 @@ certify::CurvesDocument unproved::curves(const Surface& surface, std::span<const
   }
   result.basis.resize(all.size() - given);
   std::iota(result.basis.begin(), result.basis.end(), static_cast<std::uint32_t>(given));
-  if (certainly_fill(topology, std::span(all).first(given))) {
+  if (topology.fill(std::span(all).first(given))) {
     std::vector<std::uint32_t>& set = result.filling.emplace_back(given);
     std::iota(set.begin(), set.end(), 0U);
   }

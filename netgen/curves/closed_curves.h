@@ -49,8 +49,8 @@ struct GeodesicCrossing {
   certify::Interval angle{};
 };
 
-/// What words alone decide of closed curves. No number depends on the metric, and none is rounded, but for `crossings`,
-/// `twist_derivative` and `fill`.
+/// What words alone decide of closed curves: nothing depends on the metric, and nothing is rounded, but for `crossings`
+/// and `twist_derivative`.
 ///
 /// Functions throw SurfaceError for words that are not paths from a tile to itself.
 class CurveTopology {
@@ -82,8 +82,7 @@ class CurveTopology {
   /// Contains it.
   [[nodiscard]] certify::Interval twist_derivative(const ClosedCurve& curve, const ClosedCurve& along) const;
 
-  /// Whether all components of the complement of the geodesics are disks; computed with 256 bits, where crossings lie
-  /// along geodesics. Throws LimitError if curves are too long for that.
+  /// Whether all components of the complement of the geodesics are disks. O(n²) for words of n letters together.
   [[nodiscard]] bool fill(std::span<const ClosedCurve> curves) const;
 
  private:

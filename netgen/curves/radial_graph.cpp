@@ -1,8 +1,9 @@
 #include "netgen/curves/radial_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/container/static_vector.hpp>
-#include <numeric>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -357,6 +358,139 @@ std::vector<WalkCrossing> RadialGraph::self_crossings(const ClosedWalk& walk) co
   std::vector<WalkCrossing> result = all_crossings(walk, walk, true);
   std::erase_if(result, [](const WalkCrossing& crossing) { return crossing.sign < 0; });
   return result;
+}
+
+/// A graph with a map to the radial graph, which is made larger until it is convex in the universal cover: where two
+/// edges at a vertex go to one edge, their ends are joined, and where two go to neighbouring ones, there is the
+/// quadrilateral between them. Neither changes which closed walks are homotopic to some of it (docs/proof.md, Lemma
+/// 54).
+class RadialGraph::Hull {
+ public:
+  explicit Hull(const RadialGraph& graph) : graph_(graph) {}
+
+  std::uint32_t add_vertex(bool is_centre) {
+    vertices_.push_back({is_centre, std::vector<std::uint32_t>(graph_.size(), kNone)});
+    joined_to_.push_back(static_cast<std::uint32_t>(joined_to_.size()));
+    return joined_to_.back();
+  }
+
+  void add_edge(std::uint32_t x, std::uint32_t edge, std::uint32_t y) {
+    for (const auto& [from, to] : {std::pair(find(x), y), std::pair(find(y), x)}) {
+      std::uint32_t& end = vertices_[from].ends[edge];
+      if (end == kNone) {
+        end = to;
+        to_visit_.push_back(from);
+      } else {
+        join(end, to);
+      }
+    }
+  }
+
+  void join(std::uint32_t first, std::uint32_t second) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs{{first, second}};
+    while (!pairs.empty()) {
+      const auto [kept, gone] = std::minmax({find(pairs.back().first), find(pairs.back().second)});
+      pairs.pop_back();
+      if (kept == gone) continue;
+      joined_to_[gone] = kept;
+      for (std::uint32_t edge = 0; edge < graph_.size(); ++edge) {
+        const std::uint32_t end = vertices_[gone].ends[edge];
+        std::uint32_t& other = vertices_[kept].ends[edge];
+        if (other == kNone) other = end;
+        if (end != kNone && other != end) pairs.emplace_back(other, end);
+      }
+      to_visit_.push_back(kept);
+    }
+  }
+
+  /// Adds quadrilaterals until none is missing.
+  void close() {
+    while (!to_visit_.empty()) {
+      const std::uint32_t x = find(to_visit_.back());
+      to_visit_.pop_back();
+      for (std::uint32_t side = 0; side < graph_.size(); ++side) {
+        // Neighbours at a centre are the edges to both ends of a side; the others are those at one end of it.
+        const std::uint32_t partner = graph_.partner_[side];
+        const std::uint32_t after = (side + 1) % graph_.size();
+        const std::uint32_t after_partner = (partner + 1) % graph_.size();
+        if (vertices_[x].is_centre) {
+          add_quadrilateral(x, {side, after_partner, partner, after});
+        } else {
+          add_quadrilateral(x, {side, after, partner, after_partner});
+        }
+      }
+    }
+  }
+
+  /// Whether it is the radial graph itself. Requires: closed.
+  [[nodiscard]] bool is_everything() {
+    std::uint32_t count = 0;
+    for (std::uint32_t x = 0; x < joined_to_.size(); ++x) {
+      if (find(x) != x) continue;
+      ++count;
+      if (std::count(vertices_[x].ends.begin(), vertices_[x].ends.end(), kNone) != 0) return false;
+    }
+    return count == 2;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  [[nodiscard]] std::uint32_t find(std::uint32_t x) {
+    while (joined_to_[x] != x) x = joined_to_[x] = joined_to_[joined_to_[x]];
+    return x;
+  }
+  /// The end of an edge, kNone if the vertex has none.
+  [[nodiscard]] std::uint32_t end(std::uint32_t x, std::uint32_t edge) {
+    const std::uint32_t y = vertices_[find(x)].ends[edge];
+    return y == kNone ? kNone : find(y);
+  }
+  /// That with these edges from a vertex on, if the vertex has the first and the last of them.
+  void add_quadrilateral(std::uint32_t x, const std::array<std::uint32_t, 4>& edges) {
+    const std::uint32_t y = end(x, edges[0]);
+    const std::uint32_t w = end(x, edges[3]);
+    if (y == kNone || w == kNone) return;
+    const std::uint32_t from_y = end(y, edges[1]);
+    const std::uint32_t from_w = end(w, edges[2]);
+    if (from_y != kNone && from_w == from_y) return;
+    const std::uint32_t z = from_y != kNone   ? from_y
+                            : from_w != kNone ? from_w
+                                              : add_vertex(vertices_[find(x)].is_centre);
+    add_edge(y, edges[1], z);
+    add_edge(w, edges[2], z);
+  }
+
+  struct Vertex {
+    bool is_centre;
+    std::vector<std::uint32_t> ends;  ///< By edge.
+  };
+
+  const RadialGraph& graph_;
+  std::vector<Vertex> vertices_;
+  std::vector<std::uint32_t> joined_to_;  ///< By vertex: one that it was joined to, or itself.
+  std::vector<std::uint32_t> to_visit_;
+};
+
+bool RadialGraph::fill(const std::vector<ClosedWalk>& walks) const {
+  Hull hull(*this);
+  std::vector<std::vector<std::uint32_t>> vertices;
+  for (const ClosedWalk& walk : walks) {
+    std::vector<std::uint32_t>& own = vertices.emplace_back();
+    for (std::size_t i = 0; i < walk.size(); ++i) own.push_back(hull.add_vertex(is_even(i)));
+    for (std::size_t i = 0; i < walk.size(); ++i) hull.add_edge(own[i], walk[i], own[(i + 1) % walk.size()]);
+  }
+  for (std::size_t a = 0; a < walks.size(); ++a) {
+    for (const WalkCrossing& crossing : self_crossings(walks[a])) {
+      hull.join(vertices[a][crossing.first], vertices[a][crossing.second]);
+    }
+    for (std::size_t b = 0; b < a; ++b) {
+      for (const WalkCrossing& crossing : crossings(walks[a], walks[b])) {
+        hull.join(vertices[a][crossing.first], vertices[b][crossing.second]);
+      }
+    }
+  }
+  hull.close();
+  return hull.is_everything();
 }
 
 std::vector<std::int64_t> RadialGraph::homology(const ClosedWalk& walk) const {

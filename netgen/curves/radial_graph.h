@@ -73,6 +73,10 @@ class RadialGraph {
   [[nodiscard]] CrossingPaths crossing_paths(const ClosedWalk& first, const ClosedWalk& second,
                                              const WalkCrossing& crossing) const;
 
+  /// Whether the closed geodesics of primitive curves, no two of one class up to direction, fill the surface: all
+  /// components of their complement are disks, in any hyperbolic metric. O(n²) for n edges.
+  [[nodiscard]] bool fill(const std::vector<ClosedWalk>& walks) const;
+
   /// The class of a walk in the first homology group: by pair of sides, the lesser one of each, in their order, the
   /// coefficient of the curve that crosses this side once, outward.
   [[nodiscard]] std::vector<std::int64_t> homology(const ClosedWalk& walk) const;
@@ -85,6 +89,7 @@ class RadialGraph {
  private:
   class Lift;
   class Together;
+  class Hull;
 
   /// Edge `count` places counterclockwise of an edge around the vertex where it starts, if it is taken outward or
   /// inward.

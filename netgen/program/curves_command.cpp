@@ -107,15 +107,7 @@ Report computed_report(const Surface& surface, const NamedWords& given, bool ang
   }
   report.json["genera"] = genera;
   report.json["fill"] = fill;
-  if (!fill) {
-    try {
-      report.json["fill"] = topology.fill(curves);
-      out << "the curves do not fill the surface (computed with 256 bits)\n";
-    } catch (const LimitError& error) {
-      report.json["fill"] = nullptr;
-      out << "whether the curves fill the surface is not known: " << error.what() << '\n';
-    }
-  }
+  if (!fill) out << "the curves do not fill the surface\n";
   if (angles) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < curves.size(); ++i) {
