@@ -274,6 +274,7 @@ using SharedNet = Shared<certify::NetDocument>;
 // Each adds a part of the module.
 
 void bind_certificates(py::module_& module);
+void bind_curves(py::module_& module);
 void bind_distances(py::module_& module);
 void bind_eigenvalues(py::module_& module);
 void bind_errors(py::module_& module);

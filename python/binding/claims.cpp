@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "netgen/base/gmp.h"
+#include "netgen/curves/closed_curves.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"
@@ -12,7 +13,7 @@
 #include "netgen/pictures/pictures.h"
 #include "python/binding/binding.h"
 
-/// What is proved of a surface: distances and bounds, geodesics, eigenvalues, isometries, pants.
+/// What is proved of a surface: distances and bounds, geodesics, eigenvalues, isometries, pants, closed curves.
 namespace epsnet::python {
 namespace {
 
@@ -357,6 +358,86 @@ void bind_pants(py::module_& module) {
   module.def("twist", [](const Surface& surface, const Word& curve, const Rational& by) {
     return interruptible([=] { return twisted(surface, curve, by); });
   });
+}
+
+namespace {
+
+void bind_curve_topology(py::module_& module) {
+  py::class_<ClosedCurve>(module, "ClosedCurve")
+      .def_readonly("root", &ClosedCurve::root)
+      .def_readonly("power", &ClosedCurve::power)
+      .def_readonly("self_intersections", &ClosedCurve::self_intersections)
+      .def_readonly("homology", &ClosedCurve::homology)
+      .def_readonly("genus_on_the_left", &ClosedCurve::genus_on_the_left);
+  py::class_<CurveTopology>(module, "CurveTopology")
+      .def(py::init([](const Surface& surface) { return interruptible([=] { return CurveTopology(surface); }); }))
+      .def_property_readonly("homology_basis", &CurveTopology::homology_basis)
+      .def("curve",
+           [](const CurveTopology& self, const Word& word) { return interruptible([=] { return self.curve(word); }); })
+      .def("root_word",
+           [](const CurveTopology& self, ClosedCurve curve) {
+             curve.power = 1;
+             return self.word(curve);
+           })
+      .def("intersections",
+           [](const CurveTopology& self, const ClosedCurve& first, const ClosedCurve& second) {
+             const auto [geometric, algebraic] = interruptible([=] { return self.intersections(first, second); });
+             return std::pair(geometric, algebraic);
+           })
+      .def("angles",
+           [](const CurveTopology& self, const ClosedCurve& first, const ClosedCurve& second) {
+             std::vector<certify::Interval> result;
+             for (const auto& [angle] : interruptible([=] { return self.crossings(first, second); })) {
+               result.push_back(angle);
+             }
+             return result;
+           })
+      .def("twist_derivative",
+           [](const CurveTopology& self, const ClosedCurve& curve, const ClosedCurve& along) {
+             return interruptible([=] { return self.twist_derivative(curve, along); });
+           })
+      .def("fill", [](const CurveTopology& self, const std::vector<ClosedCurve>& curves) {
+        return interruptible([=] { return self.fill(curves); });
+      });
+}
+
+}  // namespace
+
+void bind_curves(py::module_& module) {
+  bind_curve_topology(module);
+  using certify::CurvesDocument;
+  using SharedCurves = Shared<CurvesDocument>;
+  py::class_<SharedCurves> bound(module, "Curves");
+  bind_document<CurvesDocument>(bound);
+  bound
+      .def_static(
+          "find",
+          [](const Surface& surface, const std::vector<Word>& words, unsigned threads, const py::object& callback) {
+            return interruptible(
+                [=](const Progress& progress) {
+                  return shared(curves(surface, words, {.threads = threads, .progress = progress}));
+                },
+                callback);
+          })
+      .def_property_readonly("net", [](const SharedCurves& self) { return SharedNet(self->net); })
+      .def_property_readonly("basis", [](const SharedCurves& self) { return self->basis; })
+      .def_property_readonly("filling", [](const SharedCurves& self) { return self->filling; })
+      .def_property_readonly("curves",
+                             [](const SharedCurves& self) {
+                               std::vector<std::tuple<std::uint32_t, std::vector<std::uint32_t>, certify::Interval,
+                                                      std::uint32_t, std::uint64_t, std::vector<std::int64_t>>>
+                                   result;
+                               for (const CurvesDocument::Curve& c : self->curves) {
+                                 result.emplace_back(c.vertex, c.word, c.length, c.power, c.self_intersections,
+                                                     c.homology);
+                               }
+                               return result;
+                             })
+      .def_property_readonly("pairs", [](const SharedCurves& self) {
+        std::vector<std::pair<std::uint64_t, std::int64_t>> result;
+        for (const CurvesDocument::Pair& pair : self->pairs) result.emplace_back(pair.intersections, pair.algebraic);
+        return result;
+      });
 }
 
 }  // namespace epsnet::python

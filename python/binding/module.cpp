@@ -108,6 +108,7 @@ PYBIND11_MODULE(_epsnet, module) {
   epsnet::python::bind_geodesics(module);
   epsnet::python::bind_isometries(module);
   epsnet::python::bind_pants(module);
+  epsnet::python::bind_curves(module);
   epsnet::python::bind_distances(module);
   epsnet::python::bind_eigenvalues(module);
   epsnet::python::bind_files(module);

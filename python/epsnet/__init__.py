@@ -20,6 +20,7 @@ Eigenvalues     of the Laplacian: the first ones in intervals, proved, with eige
 Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
 Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
 PantsDecomposition  Fenchel–Nielsen coordinates of any surface, with their proof
+ClosedCurves    how closed curves meet, their classes in homology, whether they fill, with their proof; Curve: one, from its word
 IsometryGroup   the symmetries of a surface, with their proof
 Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) in intervals
 load, certify   files, and what the checker says of them
@@ -40,6 +41,7 @@ except ImportError as error:
 
 from . import errors
 from .certificates import Certificate, Rule
+from .curves import ClosedCurve, ClosedCurves, Curve
 from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius
 from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
 from .eigenvalues import Eigenfunction, EigenvalueEnclosure, Eigenvalues
@@ -60,7 +62,7 @@ from .symmetries import Comparison, IsometryGroup, IsometryProof, SurfaceIsometr
 __version__: str = _epsnet.__version__
 
 __all__ = [
-    "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Diameter",
+    "ArgumentError", "Axis", "Certificate", "ClosedCurve", "ClosedCurves", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Curve", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
     "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
     "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole",

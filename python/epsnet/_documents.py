@@ -14,7 +14,7 @@ from .errors import ArgumentError, NotVerifiedError
 
 Core = Union[
     "_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof", "_epsnet.PantsDecomposition",
-    "_epsnet.Comparison",
+    "_epsnet.Comparison", "_epsnet.Curves",
 ]
 Self = TypeVar("Self", bound="Document")
 

@@ -8,6 +8,7 @@ from ._arguments import Path, as_flag, as_path, as_threads
 from ._documents import certified, read
 from ._progress import Progress, Shower
 from .certificates import Certificate
+from .curves import ClosedCurves
 from .distances import Cover, Distance, cover_of
 from .eigenvalues import Eigenvalues
 from .geodesics import ClosedGeodesics, Systole, ThickThin
@@ -18,12 +19,12 @@ from .symmetries import Comparison, IsometryProof
 
 __all__ = ["certify", "load"]
 
-Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cover, Eigenvalues, IsometryProof, PantsDecomposition, Comparison]
+Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cover, Eigenvalues, IsometryProof, PantsDecomposition, Comparison, ClosedCurves]
 
 
 def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded:
     """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter, a Radius or an EmbeddedDisk,
-    Eigenvalues, an IsometryProof, a PantsDecomposition, or a Comparison.
+    Eigenvalues, an IsometryProof, a PantsDecomposition, a Comparison, or ClosedCurves.
 
     The file is checked; NotVerifiedError, which has the certificate, unless it is verified. With ``check=False`` nothing is checked: then
     intervals say ``proved=False``, and ``certificate`` checks when it is asked for. FormatError and FileError say where, and what was expected.
@@ -55,6 +56,8 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
         return PantsDecomposition(core, None, certificate)
     if isinstance(core, _epsnet.Comparison):
         return Comparison(core, None, certificate)
+    if isinstance(core, _epsnet.Curves):
+        return ClosedCurves(core, None, certificate)
     if core.claim == "systole":
         return Systole(ClosedGeodesics(core, None, certificate))
     return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, None, certificate)

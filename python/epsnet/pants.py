@@ -159,7 +159,7 @@ class PantsDecomposition(Drawn, Document):
 
 
 def as_word(curve: Any, name: str = "curve") -> list[int]:
-    """The word of a curve: of side numbers, or of what has one, as a closed geodesic or a cuff."""
+    """The word of a curve: of side numbers, or of what has one, as a closed geodesic, a cuff or another curve."""
     return as_indices(getattr(curve, "word", curve), name)
 
 

@@ -18,6 +18,7 @@ from ._documents import Document, read
 from ._immutable import Immutable
 from ._pictures import Drawn
 from ._progress import Progress
+from .curves import ClosedCurves, Curve, curve, curves, fills
 from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
 from .eigenvalues import Eigenvalues, eigenvalues
@@ -58,7 +59,7 @@ class Surface(Drawn, Immutable):
     <Surface octagon(seed=123), genus 2>
 
     Then ask it: ``net`` for ε-nets; ``systole``, ``spectrum``, ``thick_thin`` for closed geodesics; ``distance``, ``diameter``, ``radius``,
-    ``eccentricity``, ``embedded_disk``; ``generators``, ``fundamental_polygon``, ``dirichlet_domain``.
+    ``eccentricity``, ``embedded_disk``; ``pants``, ``curve`` and ``curves``; ``generators``, ``fundamental_polygon``, ``dirichlet_domain``.
 
     Sides have numbers: those of tile 0 in order, then those of tile 1, and so on.
     """
@@ -723,6 +724,59 @@ class Surface(Drawn, Immutable):
         True
         """
         return self._of(twist(self, curve, by))
+
+    # Closed curves.
+
+    def curve(self, word: Any) -> Curve:
+        """A closed curve up to free homotopy, of a word, a closed geodesic, a cuff, or another curve: whether it is simple, how often it meets
+        others, its class in homology. Its direction is that of the word; it may be null-homotopic.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(123)
+        >>> curve = surface.curve([0, 0])
+        >>> curve.power, curve.self_intersections, curve.homology
+        (2, 1, (2, 0, 0, 0))
+        """
+        return curve(self, word)
+
+    def homology_basis(self) -> list[tuple[int, ...]]:
+        """The words of 2g closed paths from tile 0, a₁, b₁, a₂, b₂, …, whose classes are a symplectic basis of the first homology group: b_i crosses
+        a_i once from right to left, and all other algebraic intersection numbers are 0.
+
+        >>> import epsnet
+        >>> len(epsnet.Surface.named("klein").homology_basis())
+        6
+        """
+        return [tuple(word) for word in self._curve_topology.homology_basis]
+
+    @cached_property
+    def _curve_topology(self) -> "_epsnet.CurveTopology":
+        return _epsnet.CurveTopology(self._core)
+
+    def curves(self, words: Iterable[Any], *, threads: int = 0, progress: Progress = None) -> ClosedCurves:
+        """What ``curve`` says of many closed curves, proved: their lengths, powers, self-intersections, intersection numbers, classes in homology;
+        and, if they fill the surface, that they do. The curves of ``homology_basis()`` follow the given ones. ArgumentError for a null-homotopic one.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(123)
+        >>> curves = surface.curves([[0], [1], [2], [3]])
+        >>> curves
+        <ClosedCurves: 8, the basis of homology [4, 5, 6, 7]>
+        >>> curves[0].simple, curves.intersections(0, 1), curves.filling
+        (True, 1, [(0, 1, 2, 3)])
+        """
+        return curves(self, words, threads, progress)
+
+    def fills(self, curves: Iterable[Any]) -> bool:
+        """Whether closed curves fill the surface: whether all components of the complement of their closed geodesics are disks. Computed with 256
+        bits, where crossings lie along geodesics; ``curves`` proves it of those that do. LimitError for curves that are too long for that.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(123)
+        >>> surface.fills([[0], [1], [2], [3]]), surface.fills([[0], [1]])
+        (True, False)
+        """
+        return fills(self, curves)
 
     # The Laplacian.
 

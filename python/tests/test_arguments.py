@@ -71,6 +71,7 @@ def calls(octagon, net, bolza):
     spectrum, distance, polygon = octagon.spectrum(2), octagon.distance((0, 0.1, 0), 0), octagon.dirichlet_domain((0, 0, 0))
     group, matrices, pants = octagon.isometries(), bolza.matrices(), octagon.pants()
     curve = pants.cuffs[0].word
+    simple, curves = octagon.curve(curve), octagon.curves([curve])
     words = octagon.fundamental_group()
     x, element, table, eigenvalues = Interval(1, 2), octagon.element([0]), net.distances(0), octagon.eigenvalues(1, digits=4)
     return [
@@ -85,6 +86,10 @@ def calls(octagon, net, bolza):
         (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (pants.fenchel_nielsen, dict(twists=0)), (pants.svg, dict(size=100)),
         (octagon.dehn_twist, dict(curve=curve, power=1)), (octagon.dehn_twist_words, dict(curve=curve, power=1)),
         (octagon.twist, dict(curve=curve, by=1)),
+        (octagon.curve, dict(word=curve)), (octagon.curves, dict(words=[curve], threads=1, progress=False)), (octagon.fills, dict(curves=[curve])),
+        (simple.intersections, dict(other=curve)), (simple.algebraic_intersections, dict(other=curve)), (simple.homotopic_to, dict(other=curve)),
+        (simple.angles, dict(other=curve)), (simple.twist_derivative, dict(along=curve)),
+        (curves.intersections, dict(i=0, j=1)), (curves.algebraic_intersections, dict(i=0, j=1)), (curves.save, dict(path="none")),
         (Surface.load, dict(path="none")), (octagon.save, dict(path="none")), (octagon.export, dict(format="domain", path="none")),
         (octagon.partner, dict(side=0)), (octagon.point, dict(tile=0, x=0, y=0)), (octagon.centre, dict(tile=0)),
         (octagon.element, dict(word=[0])), (octagon.dirichlet_domain, dict(p=0)), (octagon.reduced, dict(word=[0])),

@@ -26,6 +26,7 @@ def values(octagon, pants, bolza, net):
         octagon.distance((0, 0.1, 0), 0), octagon.distance((0, octagon.tiles[0][0].re, octagon.tiles[0][0].im), 0), octagon.diameter("0.01"),
         octagon.radius("0.1"), octagon.embedded_disk("0.01"), octagon.eccentricity(0), domain, domain.sides, polygon, polygon.sides, f, bolza.element([0]),
         f.axis(), f.su11(), f.a, Interval(1, "4/3", proved=True), octagon.pants(), octagon.pants().cuffs[1],
+        octagon.curve([0, 1]), octagon.curves([[0]]), octagon.curves([[0]])[0],
         octagon.isometries(), octagon.isometries()[1], octagon.isometries().proof, octagon.fundamental_group(), octagon.graph(), octagon.area, octagon.loops_at(octagon.centre(), 3)[0],
     ]
 
@@ -55,7 +56,8 @@ def test_different_values_are_different(values, octagon):
 
 
 def test_a_pickle_of_a_document_is_not_proved(octagon, net):
-    for value in (net, octagon.spectrum(3), octagon.diameter("0.01"), octagon.systole(), octagon.distance((0, 0.1, 0), 0), octagon.pants()):
+    for value in (net, octagon.spectrum(3), octagon.diameter("0.01"), octagon.systole(), octagon.distance((0, 0.1, 0), 0), octagon.pants(),
+                  octagon.curves([[0]])):
         assert value.proved and copy.copy(value).proved and copy.deepcopy(value).proved
         again = pickle.loads(pickle.dumps(value))
         assert not again.proved
