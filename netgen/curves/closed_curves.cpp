@@ -140,6 +140,20 @@ Ball cosine_between(const Surface& surface, const Word& first, const Word& secon
   throw LimitError("closed curves are too long for an angle with " + std::to_string(kMostBits) + " bits");
 }
 
+/// Encloses the length of the closed geodesic of a path.
+certify::Interval length_of(const Surface& surface, const Word& path) {
+  constexpr double kRelativeWidth = 0x1p-48;
+  for (slong precision = kFirstBits; precision <= kMostBits; precision *= 2) {
+    const certify::Precision scope(precision);
+    const BallIsometry f = ball_isometry(surface, path, precision);
+    const Ball length = certify::twice(certify::acosh(certify::abs(certify::real(f.a))));
+    if (!certify::is_finite(length)) continue;
+    const certify::Interval ends = certify::outer_interval(length);
+    if (ends.lower > 0 && ends.upper - ends.lower < kRelativeWidth * ends.lower) return ends;
+  }
+  throw LimitError("a closed curve is too long for " + std::to_string(kMostBits) + " bits");
+}
+
 // ---- the document ----
 
 /// The ε of the net in a curves file: any net will do.
@@ -181,16 +195,15 @@ class Starts {
 class Rows {
  public:
   Rows(const Surface& surface, const CurveTopology& topology, const certify::NetDocument& net)
-      : surface_(surface), topology_(topology), starts_(surface, net), system_(surface), tiles_(surface, 1) {}
+      : surface_(surface), topology_(topology), starts_(surface, net), system_(surface) {}
 
   [[nodiscard]] certify::CurvesDocument::Curve operator()(const ClosedCurve& curve) const {
     const ClosedPath path = near_geodesic({TileId(0), topology_.word(curve)});
     const auto [vertex, way] = starts_.nearest(path.tile);
     const Word word = concatenated(surface_, concatenated(surface_, way, path.word), reversed(surface_, way));
-    const auto length = static_cast<double>(displacement_length(tiles_.value(word)));
     return {.vertex = vertex,
             .word = letters_of(word),
-            .length = {std::nextafter(length, 0.0), std::nextafter(length, std::numeric_limits<double>::infinity())},
+            .length = length_of(surface_, word),
             .power = curve.power,
             .self_intersections = curve.self_intersections,
             .homology = curve.homology};
@@ -210,7 +223,6 @@ class Rows {
   const CurveTopology& topology_;
   Starts starts_;
   CurveSystem system_;
-  LiftedTiles tiles_;
 };
 
 /// A curve that `curves` is given. Throws CurveError.

@@ -44,16 +44,18 @@ class NotCertifiedError : public NetError {
   certify::Certificate certificate_;
 };
 
-/// Returns how a document that was made here is checked. A net may take the work that a file of its size may, so that
-/// `certify` verifies the file without options. Other claims have no limit of work: the limit protects from the files
-/// of others, and would refuse a true list that is long. Progress is that of the rules, as "certificate: RULE".
+/// Returns how a document that was made here is checked. A net or a list of curves may take the work that a file of its
+/// size may, so that `certify` verifies the file without options. Other claims have no limit of work: the limit protects
+/// from the files of others, and would refuse a true list that is long. Progress is that of the rules, as
+/// "certificate: RULE".
 [[nodiscard]] inline certify::CheckOptions own_check(const certify::AnyClaim& document, unsigned threads = 0,
                                                      const Progress& progress = {}) {
-  const bool is_net =
-      document.visit([]<class Document>(const Document&) { return std::same_as<Document, certify::NetDocument>; });
+  const bool as_a_file = document.visit([]<class Document>(const Document&) {
+    return std::same_as<Document, certify::NetDocument> || std::same_as<Document, certify::CurvesDocument>;
+  });
   certify::CheckOptions result;
   result.threads = threads;
-  if (!is_net) result.max_work = std::numeric_limits<std::uint64_t>::max();
+  if (!as_a_file) result.max_work = std::numeric_limits<std::uint64_t>::max();
   if (progress) {
     result.progress = [progress](std::string_view rule, double share) {
       progress("certificate: " + std::string(rule), share);
