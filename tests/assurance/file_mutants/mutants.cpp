@@ -34,6 +34,7 @@
 namespace epsnet::attack {
 namespace {
 
+using certify::CurvesDocument;
 using certify::DistanceDocument;
 using certify::EigenvaluesDocument;
 using certify::GeodesicsDocument;
@@ -220,6 +221,12 @@ std::vector<Family> families() {
     b.push_back(file("pants/fenchel-nielsen-2.json", 2));
     b.push_back(file("pants/cuff-1e-12.json", 1));
   }
+  {
+    auto& b = add("closed curves", 20);
+    b.push_back(file("curves/octagon-5.json", 3));
+    b.push_back(file("curves/bolza.json", 1));
+    b.push_back(file("curves/klein.json", 1));
+  }
   return all;
 }
 
@@ -283,6 +290,7 @@ std::string defect(Document& document, Random& random) {
     if (std::holds_alternative<IsometriesDocument>(document)) {
       return defect_on_spectrum(isometries_mutations(), document, random);
     }
+    if (std::holds_alternative<CurvesDocument>(document)) return own_defect(curves_mutations(), document, random);
     if (std::holds_alternative<PantsDocument>(document)) return own_defect(pants_mutations(), document, random);
     if (std::holds_alternative<DistanceDocument>(document)) return own_defect(distance_mutations(), document, random);
     return own_defect(bound_mutations(), document, random);

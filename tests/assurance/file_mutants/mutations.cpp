@@ -5,6 +5,7 @@
 #include <cctype>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 #include "netgen/base/options.h"
 
@@ -12,6 +13,7 @@ namespace epsnet::attack {
 namespace {
 
 using certify::BoundDocument;
+using certify::CurvesDocument;
 using certify::DistanceDocument;
 using certify::EigenvaluesDocument;
 using certify::GeodesicsDocument;
@@ -1042,6 +1044,97 @@ const std::vector<MutationOf<IsometriesDocument>>& isometries_mutations() {
        [](IsometriesDocument& file, Random& r) {
          const bool zero = r.below(2) == 0;
          for (std::uint32_t& c : file.cocycle) c = zero ? 0 : r.below(1000);
+       }},
+  };
+  return all;
+}
+
+const std::vector<MutationOf<CurvesDocument>>& curves_mutations() {
+  // For words that are changed: whatever the length is then.
+  static constexpr certify::Interval kAnyLength{1e-3, 1e3};
+  static const std::vector<MutationOf<CurvesDocument>> all{
+      {"word changed",
+       [](CurvesDocument& file, Random& r) {
+         CurvesDocument::Curve& curve = r.of(file.curves);
+         change_word(curve.word, file.net, r);
+         curve.length = kAnyLength;
+       }},
+      {"word with a detour, still true",
+       [](CurvesDocument& file, Random& r) {
+         Word& word = r.of(file.curves).word;
+         const std::uint32_t at = r.below(word.size());
+         const std::uint32_t side = word[at];
+         const Word detour{side, partners(file.net.surface).at(side)};
+         word.insert(word.begin() + at, detour.begin(), detour.end());
+       }},
+      {"word backwards", [](CurvesDocument& file, Random& r) { invert(r.of(file.curves).word, file.net.surface); }},
+      {"word of another curve",
+       [](CurvesDocument& file, Random& r) {
+         CurvesDocument::Curve& curve = r.of(file.curves);
+         const CurvesDocument::Curve& other = r.of(file.curves);
+         std::tie(curve.vertex, curve.word, curve.length) = std::tuple(other.vertex, other.word, other.length);
+       }},
+      {"word several times",
+       [](CurvesDocument& file, Random& r) {
+         CurvesDocument::Curve& curve = r.of(file.curves);
+         append(curve.word, Word(curve.word));
+         curve.length = kAnyLength;
+         if (r.below(2) == 0) curve.power *= 2;
+       }},
+      {"curves exchanged", [](CurvesDocument& file, Random& r) { std::swap(r.of(file.curves), r.of(file.curves)); }},
+      {"length",
+       [](CurvesDocument& file, Random& r) {
+         certify::Interval& length = r.of(file.curves).length;
+         (r.below(2) == 0 ? length.lower : length.upper) *=
+             1 + r.sign() * std::ldexp(1, -static_cast<int>(r.below(52)));
+       }},
+      {"power", [](CurvesDocument& file, Random& r) { change_count(r.of(file.curves).power, r); }},
+      {"self-intersections",
+       [](CurvesDocument& file, Random& r) {
+         std::uint64_t& number = r.of(file.curves).self_intersections;
+         number += r.below(2) == 0 && number > 0 ? ~std::uint64_t{0} : 1;
+       }},
+      {"class", [](CurvesDocument& file, Random& r) { r.of(r.of(file.curves).homology) += r.below(2) == 0 ? 1 : -1; }},
+      {"class of the inverse",
+       [](CurvesDocument& file, Random& r) {
+         for (std::int64_t& coefficient : r.of(file.curves).homology) coefficient = -coefficient;
+       }},
+      {"intersections",
+       [](CurvesDocument& file, Random& r) {
+         std::uint64_t& number = r.of(file.pairs).intersections;
+         number += r.below(2) == 0 && number > 1 ? ~std::uint64_t{1} : 2;
+       }},
+      {"algebraic number",
+       [](CurvesDocument& file, Random& r) {
+         std::int64_t& number = r.of(file.pairs).algebraic;
+         number = r.below(2) == 0 ? -number : number + 2;
+       }},
+      {"pairs exchanged",
+       [](CurvesDocument& file, Random& r) {
+         CurvesDocument::Pair& one = r.of(file.pairs);
+         CurvesDocument::Pair& other = r.of(file.pairs);
+         std::swap(one.intersections, other.intersections);
+         std::swap(one.algebraic, other.algebraic);
+       }},
+      {"pair left out", [](CurvesDocument& file, Random&) { drop_last(file.pairs); }},
+      {"basis", [](CurvesDocument& file, Random& r) { change_index(r.of(file.basis), file.curves.size(), r); }},
+      {"basis in another order",
+       [](CurvesDocument& file, Random& r) { std::swap(r.of(file.basis), r.of(file.basis)); }},
+      {"another set",
+       [](CurvesDocument& file, Random& r) {
+         Word set;
+         const std::size_t one_of = 1 + r.below(6);
+         for (std::uint32_t i = 0; i < file.curves.size(); ++i) {
+           if (r.below(one_of) == 0) set.push_back(i);
+         }
+         file.filling.push_back(set);
+       }},
+      {"curve of a set",
+       [](CurvesDocument& file, Random& r) { change_index(r.of(r.of(file.filling)), file.curves.size(), r); }},
+      {"set without a curve",
+       [](CurvesDocument& file, Random& r) {
+         Word& set = r.of(file.filling);
+         set.erase(set.begin() + r.below(set.size()));
        }},
   };
   return all;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certify/claims/bound/document.h"
+#include "certify/claims/curves/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
@@ -64,6 +65,7 @@ using Mutation = MutationOf<certify::NetDocument>;
 [[nodiscard]] const std::vector<MutationOf<certify::EigenvaluesDocument>>& eigenvalues_mutations();
 [[nodiscard]] const std::vector<MutationOf<certify::IsometriesDocument>>& isometries_mutations();
 [[nodiscard]] const std::vector<MutationOf<certify::PantsDocument>>& pants_mutations();
+[[nodiscard]] const std::vector<MutationOf<certify::CurvesDocument>>& curves_mutations();
 
 /// Defects of the text: its bytes, tokens, and the notation of numbers.
 void change_text(std::string& text, Random& random);
