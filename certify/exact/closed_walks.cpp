@@ -303,15 +303,9 @@ class RadialGraph::Hull {
   /// Adds quadrangles until each two edges that are neighbours at a vertex are in one.
   void complete() {
     while (!changed_.empty()) {
-      const std::size_t x = root_of(parent_, changed_.back().first);
-      const Index j = changed_.back().second;
+      const std::size_t x = root_of(parent_, changed_.back());
       changed_.pop_back();
-      // The quadrangles of sides j − 1 and j, at either end of the edge.
-      const Index before = graph_.plus(j, graph_.corners_ - 1);
-      complete(x, before);
-      complete(x, j);
-      complete(x, graph_.partner_[before]);
-      complete(x, graph_.partner_[j]);
+      for (Index k = 0; k < graph_.corners_; ++k) complete(x, k);
     }
   }
 
@@ -340,7 +334,7 @@ class RadialGraph::Hull {
       return;
     }
     found = other;
-    changed_.emplace_back(static_cast<Index>(root), j);
+    changed_.push_back(static_cast<Index>(root));
   }
 
   /// What edges with one end and one image lead to is one vertex.
@@ -407,7 +401,7 @@ class RadialGraph::Hull {
   std::vector<bool> is_centre_;      ///< By vertex: whether it is a lift of the centre.
   std::vector<Index> ends_;          ///< By vertex and edge.
   std::vector<std::pair<Index, Index>> equal_;
-  std::vector<std::pair<Index, Index>> changed_;  ///< Vertices, and edges there.
+  std::vector<Index> changed_;  ///< Vertices that have got an edge since their quadrangles were added.
 };
 
 bool RadialGraph::generate(const std::vector<const Walk*>& walks, const std::vector<Joint>& joints) {
