@@ -221,9 +221,8 @@ void add_named_curves(PolygonPicture& result, const Domain& domain, const std::v
   for (std::size_t i = 0; i < std::min(curves.size(), kMost); ++i) {
     const auto& [name, word] = curves[i];
     if (is_each_named || i == 0) {
-      result.curves.push_back({is_each_named ? name : std::to_string(curves.size()) + ' ' + kind,
-                               kColours[is_each_named ? i : 0],
-                               {}});
+      result.curves.push_back(
+          {is_each_named ? name : std::to_string(curves.size()) + ' ' + kind, kColours[is_each_named ? i : 0], {}});
     }
     const auto segments = segments_of(domain, domain.surface.tile_of_side(word.front()), word);
     if (!segments) result.left_out.push_back(name + ": it crosses the domain too often");
@@ -250,8 +249,8 @@ void add_closed_curves(PolygonPicture& result, const Domain& domain, const certi
   for (std::uint32_t i = 0; i < document.curves.size(); ++i) {
     if (!is_all && std::find(document.basis.begin(), document.basis.end(), i) != document.basis.end()) continue;
     const certify::CurvesDocument::Curve& curve = document.curves[i];
-    curves.push_back({"curve " + std::to_string(i) + ", of length " + length_text(curve.length.upper),
-                      word_of_letters(curve.word)});
+    curves.push_back(
+        {"curve " + std::to_string(i) + ", of length " + length_text(curve.length.upper), word_of_letters(curve.word)});
   }
   add_named_curves(result, domain, curves, "closed curves");
 }

@@ -11,8 +11,8 @@
 
 #include "certify/check.h"
 #include "certify/claims/bound/document.h"
-#include "certify/claims/curves/document.h"
 #include "certify/claims/comparison/document.h"
+#include "certify/claims/curves/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"

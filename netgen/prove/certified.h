@@ -45,8 +45,8 @@ class NotCertifiedError : public NetError {
 };
 
 /// Returns how a document that was made here is checked. A net or a list of curves may take the work that a file of its
-/// size may, so that `certify` verifies the file without options. Other claims have no limit of work: the limit protects
-/// from the files of others, and would refuse a true list that is long. Progress is that of the rules, as
+/// size may, so that `certify` verifies the file without options. Other claims have no limit of work: the limit
+/// protects from the files of others, and would refuse a true list that is long. Progress is that of the rules, as
 /// "certificate: RULE".
 [[nodiscard]] inline certify::CheckOptions own_check(const certify::AnyClaim& document, unsigned threads = 0,
                                                      const Progress& progress = {}) {
