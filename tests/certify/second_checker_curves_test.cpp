@@ -222,7 +222,7 @@ TEST(Curves, PowersAreTheGreatest) {
   }
   EXPECT_EQ(both(changed(good, [](Document& d) { d.curves[6].power = 1; })), "REFUTED: powers");
   EXPECT_THAT(message(changed(good, [](Document& d) { d.curves[6].power = 1; })),
-              HasSubstr("curve 6 is the 2-th power"));
+              HasSubstr("curve 6 is power 2 of a primitive one"));
 }
 
 // Rule intersections.

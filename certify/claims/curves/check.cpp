@@ -348,8 +348,8 @@ class CurvesCheck {
       const std::uint32_t claimed = document_.curves[i].power;
       if (powers[i].exponent == claimed) continue;
       return report(kPowers, Verdict::refuted,
-                    curve_name(i) + " is the " + powers[i].exponent.get_str() +
-                        "-th power of a primitive one, not the " + std::to_string(claimed) + "-th");
+                    curve_name(i) + " is power " + powers[i].exponent.get_str() + " of a primitive one, not power " +
+                        std::to_string(claimed));
     }
     const auto primitive = std::count_if(document_.curves.begin(), document_.curves.end(),
                                          [](const Curve& curve) { return curve.power == 1; });
