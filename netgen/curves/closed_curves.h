@@ -76,10 +76,10 @@ class CurveTopology {
   /// point once. Angles have some 50 bits. Throws LimitError if words are too long for that.
   [[nodiscard]] std::vector<GeodesicCrossing> crossings(const ClosedCurve& first, const ClosedCurve& second) const;
 
-  /// The derivative of the length of a curve's geodesic with respect to a twist along a simple one, as the other side is
-  /// moved to the left by a length (`twisted`, pants.h): −Σ cos θ over the crossings, θ the angle from the direction of
-  /// the simple one to the direction in which the line of the curve leads from its right to its left (S. Wolpert, The
-  /// Fenchel–Nielsen deformation, Ann. of Math. 115, 1982). Contains it.
+  /// The derivative of the length of a curve's geodesic with respect to a twist along a simple one, as the other side
+  /// is moved to the left by a length (`twisted`, pants.h): −Σ cos θ over the crossings, θ the angle from the direction
+  /// of the simple one to the direction in which the line of the curve leads from its right to its left (S. Wolpert,
+  /// The Fenchel–Nielsen deformation, Ann. of Math. 115, 1982). Contains it.
   [[nodiscard]] certify::Interval twist_derivative(const ClosedCurve& curve, const ClosedCurve& along) const;
 
   /// Whether all components of the complement of the geodesics are disks. O(n²) for words of n letters together.
