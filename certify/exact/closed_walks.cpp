@@ -405,6 +405,7 @@ class RadialGraph::Hull {
 };
 
 bool RadialGraph::generate(const std::vector<const Walk*>& walks, const std::vector<Joint>& joints) {
+  spend(walks.size() * walks.size() + joints.size());  // The caller has looked at all pairs of walks.
   Hull hull(*this);
   std::vector<std::vector<Index>> vertices;
   for (const Walk* walk : walks) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "certify/numbers/isometry.h"
@@ -19,35 +20,53 @@ namespace {
 
 using IntegerVector = std::vector<std::int64_t>;
 
-std::int64_t form_value(const std::vector<IntegerVector>& form, const IntegerVector& x, const IntegerVector& y) {
-  std::int64_t result = 0;
+/// By basis vector: the value of a form at x and this vector.
+IntegerVector products(const std::vector<IntegerVector>& form, const IntegerVector& x) {
+  IntegerVector result(form.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (x[i] == 0) continue;
-    for (std::size_t j = 0; j < y.size(); ++j) result += x[i] * form[i][j] * y[j];
+    for (std::size_t j = 0; j < result.size(); ++j) result[j] += x[i] * form[i][j];
   }
   return result;
+}
+
+std::int64_t form_value(const std::vector<IntegerVector>& form, const IntegerVector& x, const IntegerVector& y) {
+  const IntegerVector row = products(form, x);
+  return std::inner_product(y.begin(), y.end(), row.begin(), std::int64_t{0});
 }
 
 void add_multiple(IntegerVector& x, std::int64_t factor, const IntegerVector& y) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * y[i];
 }
 
-/// A symplectic basis of ℤ^2g for a skew form of determinant 1: a₁, b₁, a₂, b₂, …
-std::vector<IntegerVector> symplectic_basis(const std::vector<IntegerVector>& form) {
+/// A symplectic basis of ℤ^2g for a skew form of determinant 1: a₁, b₁, a₂, b₂, … O(g³), but for Euclid's algorithm.
+/// `letters` are those of paths around the given basis: short ones come first, so that others get few multiples of
+/// them.
+std::vector<IntegerVector> symplectic_basis(const std::vector<IntegerVector>& form, const IntegerVector& letters) {
   std::vector<IntegerVector> rest;
   for (std::size_t i = 0; i < form.size(); ++i) {
     rest.emplace_back(form.size());
     rest.back()[i] = 1;
   }
+  const auto size = [&](const IntegerVector& x) {
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += std::abs(x[i]) * letters[i];
+    return sum;
+  };
   std::vector<IntegerVector> result;
   while (!rest.empty()) {
-    const IntegerVector a = rest.front();
-    rest.erase(rest.begin());
+    const auto shortest = std::min_element(
+        rest.begin(), rest.end(), [&](const IntegerVector& x, const IntegerVector& y) { return size(x) < size(y); });
+    const IntegerVector a = *shortest;
+    rest.erase(shortest);
     // Euclid's algorithm on the products with a, until one of them is left, ±1.
-    const auto product = [&](const IntegerVector& x) { return form_value(form, a, x); };
-    std::sort(rest.begin(), rest.end(), [&](const IntegerVector& x, const IntegerVector& y) {
-      return std::pair(product(x) == 0, std::abs(product(x))) < std::pair(product(y) == 0, std::abs(product(y)));
-    });
+    const IntegerVector row = products(form, a);
+    const auto product = [&](const IntegerVector& x) {
+      return std::inner_product(x.begin(), x.end(), row.begin(), std::int64_t{0});
+    };
+    const auto key = [&](const IntegerVector& x) { return std::tuple(product(x) == 0, std::abs(product(x)), size(x)); };
+    std::stable_sort(rest.begin(), rest.end(),
+                     [&](const IntegerVector& x, const IntegerVector& y) { return key(x) < key(y); });
     for (std::size_t i = 1; i < rest.size(); ++i) {
       while (product(rest[i]) != 0 && std::abs(product(rest[0])) != 1) {
         add_multiple(rest[0], -(product(rest[0]) / product(rest[i])), rest[i]);
@@ -59,9 +78,10 @@ std::vector<IntegerVector> symplectic_basis(const std::vector<IntegerVector>& fo
     if (product(b) < 0) {
       for (std::int64_t& x : b) x = -x;
     }
+    const IntegerVector row_of_b = products(form, b);
     for (IntegerVector& x : rest) {
-      const std::int64_t with_a = form_value(form, a, x);
-      const std::int64_t with_b = form_value(form, b, x);
+      const std::int64_t with_a = product(x);
+      const std::int64_t with_b = std::inner_product(x.begin(), x.end(), row_of_b.begin(), std::int64_t{0});
       add_multiple(x, with_b, a);
       add_multiple(x, -with_a, b);
     }
@@ -240,7 +260,11 @@ ClosedCurve checked_curve(const CurveTopology& topology, std::size_t number, con
 }  // namespace
 
 CurveTopology::CurveTopology(const Surface& surface) : graph_(std::make_shared<const RadialGraph>(surface)) {
-  coordinates_ = symplectic_basis(graph_->intersection_form());
+  IntegerVector letters;
+  for (const std::uint32_t side : graph_->basis()) {
+    letters.push_back(static_cast<std::int64_t>(graph_->crossing(side).size()));
+  }
+  coordinates_ = symplectic_basis(graph_->intersection_form(), letters);
   for (const IntegerVector& coefficients : coordinates_) basis_.push_back(path_of_class(*graph_, coefficients));
 }
 

@@ -55,7 +55,7 @@ struct GeodesicCrossing {
 /// Functions throw SurfaceError for words that are not paths from a tile to itself.
 class CurveTopology {
  public:
-  /// O(sides).
+  /// O(sides + g³) for genus g.
   explicit CurveTopology(const Surface& surface);
 
   /// Closed paths from tile 0, a₁, b₁, a₂, b₂, …, whose classes are a symplectic basis of H₁(S; ℤ): b_i crosses a_i

@@ -375,11 +375,11 @@ class RadialGraph::Hull {
   }
 
   void add_edge(std::uint32_t x, std::uint32_t edge, std::uint32_t y) {
-    for (const auto& [from, to] : {std::pair(find(x), y), std::pair(find(y), x)}) {
-      std::uint32_t& end = vertices_[from].ends[edge];
+    for (const auto& [from, to] : {std::pair(x, y), std::pair(y, x)}) {
+      std::uint32_t& end = vertices_[find(from)].ends[edge];
       if (end == kNone) {
         end = to;
-        to_visit_.push_back(from);
+        to_visit_.push_back(find(from));
       } else {
         join(end, to);
       }

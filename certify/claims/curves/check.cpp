@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "certify/base/text.h"
+#include "certify/claims/curves/crossings.h"
 #include "certify/claims/curves/fields.h"
-#include "certify/claims/curves/filling.h"
 #include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/sequences.h"
 #include "certify/claims/isometries/frames.h"
@@ -173,13 +173,6 @@ struct PowerOf {
   int direction;
 };
 
-/// How often primitive closed geodesics cross each other, and themselves.
-struct CrossingNumbers {
-  std::vector<std::vector<std::uint64_t>> points;
-  std::vector<std::vector<std::int64_t>>
-      signs;  ///< The sum of those from the right of the first one to its left, less the others.
-};
-
 class CurvesCheck {
  public:
   CurvesCheck(const CurvesDocument& document, Verification& run, Crossings crossings)
@@ -246,7 +239,7 @@ class CurvesCheck {
     run_.progress(kIntersections);
     const auto points = crossing_points(moved, *roots);
     if (!points) return doubt_all("not decided where the geodesics cross, with " + bits_);
-    if (rules_.open(kIntersections)) check_intersections(powers, numbers_of(plane, *points));
+    if (rules_.open(kIntersections)) check_intersections(powers, crossing_numbers(plane, *points));
     if (!is_verified(kIntersections)) return;
     run_.progress(kHomology);
     if (rules_.open(kHomology)) check_homology();
@@ -358,22 +351,6 @@ class CurvesCheck {
   }
 
   // Rule intersections.
-
-  [[nodiscard]] CrossingNumbers numbers_of(const LiftedPlane& plane,
-                                           const std::vector<std::vector<CrossingPoint>>& points) const {
-    const std::size_t count = points.size();
-    run_.budget().spend(memory_work(16), count * count);
-    CrossingNumbers result{std::vector(count, std::vector<std::uint64_t>(count)),
-                           std::vector(count, std::vector<std::int64_t>(count))};
-    for (std::size_t i = 0; i < count; ++i) {
-      plane.spend(1, points[i].size());
-      for (const CrossingPoint& point : points[i]) {
-        ++result.points[i][point.other];
-        result.signs[i][point.other] += point.turn;
-      }
-    }
-    return result;
-  }
 
   void check_intersections(const std::vector<PowerOf>& powers, const CrossingNumbers& numbers) {
     // Each point where a geodesic crosses itself is one of both passages.

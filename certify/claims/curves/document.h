@@ -30,8 +30,8 @@ struct CurvesDocument {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
     std::uint64_t intersections = 0;  ///< The geometric intersection number.
-    std::int64_t algebraic =
-        0;  ///< Crossings of the second one from the right of the first one to its left count 1, others −1.
+    /// Crossings of the second one from the right of the first one to its left count 1, others −1.
+    std::int64_t algebraic = 0;
     bool operator==(const Pair&) const = default;
   };
 

@@ -1,4 +1,4 @@
-#include "certify/claims/curves/filling.h"
+#include "certify/claims/curves/crossings.h"
 
 #include <algorithm>
 #include <map>
@@ -161,6 +161,21 @@ class CrossingGraph {
 };
 
 }  // namespace
+
+CrossingNumbers crossing_numbers(const LiftedPlane& plane, const std::vector<std::vector<CrossingPoint>>& points) {
+  const std::size_t count = points.size();
+  plane.keep(1, count * count);
+  CrossingNumbers result{std::vector(count, std::vector<std::uint64_t>(count)),
+                         std::vector(count, std::vector<std::int64_t>(count))};
+  for (std::size_t i = 0; i < count; ++i) {
+    plane.spend(1, points[i].size());
+    for (const CrossingPoint& point : points[i]) {
+      ++result.points[i][point.other];
+      result.signs[i][point.other] += point.turn;
+    }
+  }
+  return result;
+}
 
 std::optional<bool> fill(const LiftedPlane& plane, const std::vector<std::vector<CrossingPoint>>& points,
                          std::span<const std::uint32_t> geodesics, std::int64_t euler) {
