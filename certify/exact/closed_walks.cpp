@@ -382,7 +382,6 @@ class RadialGraph::Hull {
   /// Lets an edge of one vertex and one of another vertex have the same end.
   void close(Index x, Index j, Index y, Index k) {
     Index common = end_of(x, j);
-    if (common == kNoSide) common = end_of(y, k);
     if (common == kNoSide) common = add_vertex(!is_centre_[x]);
     join(x, j, common);
     join(y, k, common);

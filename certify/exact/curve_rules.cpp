@@ -201,7 +201,7 @@ class CurveRules {
       const Power& y = powers_[pair.second];
       const bool same = x.root == y.root;
       const std::size_t points = same ? 2 * self_crossings(x.root) : crossings(x.root, y.root).steps.size();
-      const long signs = same ? 0 : (x.root < y.root ? 1 : -1) * crossings(x.root, y.root).signs;
+      const long signs = (x.root < y.root ? 1 : -1) * crossings(x.root, y.root).signs;
       const mpz_class times = x.exponent * y.exponent;
       const std::string names = curve_name(pair.first) + " and " + curve_name(pair.second);
       if (times * points != pair.intersections) throw Refutation{names + " have another geometric intersection number"};

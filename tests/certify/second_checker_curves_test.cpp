@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 #include <sstream>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/claims/curves/crossings.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/closed_walks.h"
 #include "certify/exact/document.h"
@@ -21,6 +24,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "tests/certify/claim_files.h"
+#include "tests/certify/lifted_reference.h"
 
 /// Curves files, asked of both checkers. Each rule is broken by a file in which nothing else is wrong.
 namespace epsnet::certify::curves_test {
@@ -61,7 +65,8 @@ Document changed(Document document, const Change& change) {
 
 std::string message(const Document& document) { return checked(document).message; }
 
-CurvesDocument::Pair& pair_of(Document& document, std::uint32_t i, std::uint32_t j) {
+template <class AnyDocument>
+auto& pair_of(AnyDocument& document, std::uint32_t i, std::uint32_t j) {
   return *std::find_if(document.pairs.begin(), document.pairs.end(),
                        [&](const auto& pair) { return pair.first == i && pair.second == j; });
 }
@@ -287,6 +292,50 @@ TEST(Curves, ClassesAreThoseOfTheBasis) {
   }
 }
 
+/// Some curves of a document, as a basis and nothing else.
+Document basis_alone(const Document& document, const std::vector<std::uint32_t>& curves) {
+  Document result{.net = document.net, .curves = {}, .pairs = {}, .basis = {}, .filling = {}};
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    result.curves.push_back(document.curves[curves[i]]);
+    result.curves[i].homology.assign(curves.size(), 0);
+    result.curves[i].homology[i] = 1;
+    result.basis.push_back(i);
+    for (std::uint32_t j = i + 1; j < curves.size(); ++j) {
+      CurvesDocument::Pair pair = pair_of(document, std::min(curves[i], curves[j]), std::max(curves[i], curves[j]));
+      if (curves[i] > curves[j]) pair.algebraic = -pair.algebraic;
+      pair.first = i;
+      pair.second = j;
+      result.pairs.push_back(pair);
+    }
+  }
+  return result;
+}
+
+/// A coefficient may have products with one curve of the basis alone, whichever that is.
+TEST(Curves, ClassesAreThoseOfASymplecticBasis) {
+  const Document good = read("one-fills");
+  ASSERT_EQ(both(good), "VERIFIED");
+  for (std::size_t j = 0; j < 4; ++j) {
+    EXPECT_EQ(both(changed(good, [&](Document& d) { ++d.curves[0].homology[j]; })), "REFUTED: homology") << j;
+  }
+}
+
+TEST(Curves, ABasisOfASubgroupIsNone) {
+  // All classes are as said, but curve 7 is the third power of curve 5.
+  const Document good = octagon();
+  std::vector<std::uint32_t> curves = good.basis;
+  for (std::uint32_t& curve : curves) {
+    const std::uint32_t other = std::exchange(curve, 5);
+    if (both(basis_alone(good, curves)) == "VERIFIED") {
+      curve = 7;
+      EXPECT_EQ(both(basis_alone(good, curves)), "REFUTED: homology");
+      return;
+    }
+    curve = other;
+  }
+  FAIL() << "curve 5 is in no basis";
+}
+
 TEST(Curves, ABasisHasAUnimodularMatrix) {
   const Document good = octagon();
   // Fewer or more curves than 2g.
@@ -391,6 +440,83 @@ TEST(Curves, SetsThatFillMeetAllCurves) {
   EXPECT_GT(std::count(fills.begin(), fills.end(), true), 3);
 }
 
+/// A geodesic that crosses itself fills alone, if what it cuts off is a disk each time.
+TEST(Curves, OneCurveMayFill) {
+  Document document = read("one-fills");
+  ASSERT_EQ(document.filling, (std::vector<std::vector<std::uint32_t>>{{0}}));
+  EXPECT_EQ(both(document), "VERIFIED");
+}
+
+// The order of crossing points along geodesics, where balls do not tell it.
+
+Ball ball(double middle, double radius) {
+  Ball result = Ball::exactly(middle);
+  mag_set_d(arb_radref(result.get()), radius);
+  return result;
+}
+
+using CrossingPoints = std::vector<std::vector<CrossingPoint>>;
+
+class CrossingsOfCurves : public testing::Test {
+ private:
+  Precision precision_{128};
+};
+
+/// A crossing with geodesic `other`, as its point number `place`.
+CrossingPoint crossing(const Ball& along, std::uint32_t other, std::uint32_t place, std::uint32_t chord = 0,
+                       int turn = 1) {
+  return {along, Ball(), other, place, chord, turn};
+}
+
+std::optional<bool> all_fill(const CrossingPoints& points, std::int64_t euler) {
+  const NetDocument net = read("octagon-5").net;
+  const LiftedNet lifted(net);
+  std::vector<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return fill(lifted.plane(), points, all, euler);
+}
+
+TEST_F(CrossingsOfCurves, PointsThatAreNotToldApartAreOneIfAllCrossThere) {
+  // Geodesic 0 crosses 1 and 2, which do not cross each other.
+  const auto points = [](double radius) -> CrossingPoints {
+    return {{crossing(ball(1, radius), 1, 0), crossing(ball(1.25, radius), 2, 0)},
+            {crossing(ball(1, 0), 0, 0, 0, -1)},
+            {crossing(ball(1, 0), 0, 1, 0, -1)}};
+  };
+  EXPECT_TRUE(all_fill(points(0.01), -2).has_value());
+  EXPECT_EQ(all_fill(points(0.5), -2), std::nullopt);
+}
+
+TEST_F(CrossingsOfCurves, AllBallsBeforeAndBehindCount) {
+  // Geodesics 0, 1 and 2 cross each other in one point, and 0 crosses 3 elsewhere.
+  const auto points = [](const Ball& first, const Ball& second, const Ball& third) -> CrossingPoints {
+    return {{crossing(first, 1, 0), crossing(second, 2, 0), crossing(third, 3, 0)},
+            {crossing(ball(1, 0), 0, 0, 0, -1), crossing(ball(1, 0), 2, 1)},
+            {crossing(ball(1, 0), 0, 1, 0, -1), crossing(ball(1, 0), 1, 1, 0, -1)},
+            {crossing(ball(1, 0), 0, 2, 0, -1)}};
+  };
+  EXPECT_TRUE(all_fill(points(ball(1, 0), ball(1, 0), ball(2, 0)), -2).has_value());
+  // One ball is as wide as to contain all, before or behind those that differ.
+  EXPECT_EQ(all_fill(points(ball(1.5, 2), ball(2, 0), ball(2.5, 0)), -2), std::nullopt);
+  EXPECT_EQ(all_fill(points(ball(2, 0), ball(2.5, 2), ball(1, 0)), -2), std::nullopt);
+}
+
+TEST_F(CrossingsOfCurves, ChordsAreInOrderWhateverTheBalls) {
+  // Lines of a torus with four common points, in the same order along both; the complement is four disks.
+  const auto points = [](const std::array<std::uint32_t, 4>& chords, const std::array<double, 4>& along,
+                         double radius) {
+    CrossingPoints result(2);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      result[0].push_back(crossing(ball(along[k], radius), 1, k, chords[k]));
+      result[1].push_back(crossing(ball(k, 0), 0, k, k, -1));
+    }
+    return result;
+  };
+  EXPECT_EQ(all_fill(points({0, 1, 2, 3}, {0, 1, 2, 3}, 0), 0), true);
+  EXPECT_EQ(all_fill(points({0, 2, 1, 3}, {0, 2, 1, 3}, 0), 0), false);
+  EXPECT_EQ(all_fill(points({0, 1, 2, 3}, {0, 2, 1, 3}, 5), 0), true);
+}
+
 // Walks in the radial graph, of words alone.
 
 /// A surface, and closed words of it.
@@ -492,6 +618,23 @@ TEST(ClosedWalks, OfOneClassAreTheSame) {
       EXPECT_TRUE(graph.rightmost(graph.walk(words.homotopic(joined(word, words.back(word))))).empty());
     }
     EXPECT_LT(trivial, 100U);
+  }
+}
+
+/// Closed walks of up to four steps, also those that shorten only around all of the walk: twice a walk is deformed to
+/// twice what the walk is deformed to.
+TEST(ClosedWalks, TwiceAWalkIsDeformedLikeTheWalk) {
+  for (const char* name : {"octagon-5", "klein"}) {
+    const Words words(read(name).net, 1);
+    exact::RadialGraph graph = words.graph();
+    const std::uint32_t edges = name == std::string("klein") ? 12 : 8;
+    for (std::uint32_t number = 0; number < edges * edges * edges * edges; ++number) {
+      exact::RadialGraph::Walk walk;
+      std::uint32_t rest = number;
+      for (std::uint32_t k = 0; k < 4; ++k, rest /= edges) walk.push_back(2 * (rest % edges) + k % 2);
+      const auto once = graph.rightmost(walk);
+      ASSERT_EQ(least_of(graph.rightmost(joined(walk, walk))), least_of(joined(once, once))) << number;
+    }
   }
 }
 

@@ -373,7 +373,7 @@ class CurvesCheck {
       const auto& [other, other_exponent, other_direction] = powers[pair.second];
       const mpz_class times = exponent * other_exponent;
       const mpz_class points = root == other ? mpz_class(2 * self(root)) : integer(numbers.points[root][other]);
-      const mpz_class signs = integer(root == other ? 0 : direction * other_direction * numbers.signs[root][other]);
+      const mpz_class signs = integer(direction * other_direction * numbers.signs[root][other]);
       const std::string names = " of " + curve_name(pair.first) + " and " + curve_name(pair.second);
       if (differs("the geometric intersection number" + names, times * points, integer(pair.intersections)) ||
           differs("the algebraic intersection number" + names, times * signs, integer(pair.algebraic)))
