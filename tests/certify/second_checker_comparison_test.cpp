@@ -17,6 +17,7 @@
 #include "certify/exact/number_field.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "tests/certify/biquadratic.h"
 #include "tests/certify/claim_files.h"
 
 /// Comparison files, asked of both checkers. Each rule is broken by a file in which nothing else is wrong.
@@ -404,6 +405,29 @@ TEST(SecondCheckerOfComparisons, NumbersMayBeMuchCloserThanTheirConjugatesAreLar
   EXPECT_FALSE(is_one(exact::Algebraic(1) + power));
   EXPECT_FALSE(is_one(exact::Algebraic(1) + power * cosines.s()));
   EXPECT_TRUE(is_one(exact::Algebraic(1) + power - power));
+}
+
+TEST(SecondCheckerOfComparisons, TheDegreeIsThatOfBothFieldsTogether) {
+  // x₀ + x₁√p = −(x₂ + x₃√p)√q, but for a small number.
+  const auto are_equal = [](const auto& left, const auto& left_root, const auto& right, const auto& one) {
+    return are_conjugate({exact::Trace{real_number(left), real_number(right), 1}},
+                         {exact::Trace{real_number(one), real_number(left_root), 1}});
+  };
+  const exact::NumberField two({-2, 0, 1}, 1, 2);
+  const exact::NumberField five({-5, 0, 1}, 2, 3);
+  for (const auto& x : biquadratic::powers_with_five(15)) {
+    EXPECT_FALSE(are_equal(exact::FieldNumber(two, {x[2], x[3]}), exact::FieldNumber(five, {0, 1}),
+                           exact::FieldNumber(two, {-x[0], -x[1]}), exact::FieldNumber(five, {1})));
+  }
+  // √2 and √3 as cosines of orders 8 and 12; order 24 has both, with degree 4.
+  const exact::RealField eight(8, 8, false);
+  const exact::RealField twelve(12, 12, false);
+  for (const auto& x : biquadratic::powers_with_three(15)) {
+    const auto in_eight = [&](const mpz_class& a, const mpz_class& b) {
+      return exact::Algebraic(a) + exact::Algebraic(b) * eight.cosine(1);
+    };
+    EXPECT_FALSE(are_equal(in_eight(x[2], x[3]), twelve.cosine(1), in_eight(-x[0], -x[1]), exact::Algebraic(1)));
+  }
 }
 
 TEST(SecondCheckerOfComparisons, TheSpectraAreSpectra) {

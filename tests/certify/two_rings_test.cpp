@@ -5,6 +5,8 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
+#include "tests/certify/biquadratic.h"
+
 /// Numbers of two rings compared: √2 is 2cos(2π/8), and the root of x² − 2.
 namespace epsnet::certify::two_rings_test {
 namespace {
@@ -75,32 +77,35 @@ TEST(TwoRings, NumbersMayBeMuchCloserThanTheirConjugatesAreLarge) {
   for (int n = 1; n < 40; ++n) {
     small = small * unit;
     EXPECT_EQ(agree(small + in_ring(1, 0), in_field(1, 0), in_ring(1, 0), in_field(1, 0)), false) << n;
+    EXPECT_EQ(products_agree(ProductPair<RegularNumber, mpz_class>{in_ring(1, 0), 1, small + in_ring(1, 0), 1}, {}),
+              false)
+        << n;
   }
 }
 
 TEST(TwoRings, TheDegreeIsThatOfBothFieldsTogether) {
-  // Powers of a unit (√2 − 1)⁶(√5 − 2)⁴(√10 − 3)³ = x + y√5 with x and y in ℤ[√2], which is small; its other three
-  // conjugates are large.
+  // x₀ + x₁√2 = −(x₂ + x₃√2)√5, but for the small number.
   const NumberField five({-5, 0, 1}, {mpq_class(2), mpq_class(3)});
-  using Element = std::array<mpz_class, 4>;  // By 1, √2, √5, √10.
-  const auto product = [](const Element& x, const Element& y) -> Element {
-    return {x[0] * y[0] + 2 * x[1] * y[1] + 5 * x[2] * y[2] + 10 * x[3] * y[3],
-            x[0] * y[1] + x[1] * y[0] + 5 * (x[2] * y[3] + x[3] * y[2]),
-            x[0] * y[2] + x[2] * y[0] + 2 * (x[1] * y[3] + x[3] * y[1]),
-            x[0] * y[3] + x[3] * y[0] + x[1] * y[2] + x[2] * y[1]};
-  };
-  Element small{1, 0, 0, 0};
-  for (int n = 1; n < 16; ++n) {
-    for (int i = 0; i < 6; ++i) small = product(small, {-1, 1, 0, 0});
-    for (int i = 0; i < 4; ++i) small = product(small, {-2, 0, 1, 0});
-    for (int i = 0; i < 3; ++i) small = product(small, {-3, 0, 0, 1});
-    const FieldNumber one = field_number(five, std::vector<mpz_class>{1});
-    const FieldNumber root = field_number(five, std::vector<mpz_class>{0, 1});
-    EXPECT_EQ(products_agree(ProductPair<FieldNumber, FieldNumber>{in_field(small[2], small[3]), root,
-                                                                   in_field(-small[0], -small[1]), one},
+  const FieldNumber one = field_number(five, std::vector<mpz_class>{1});
+  const FieldNumber root = field_number(five, std::vector<mpz_class>{0, 1});
+  for (const auto& x : biquadratic::powers_with_five(15)) {
+    EXPECT_EQ(products_agree(
+                  ProductPair<FieldNumber, FieldNumber>{in_field(x[2], x[3]), root, in_field(-x[0], -x[1]), one}, {}),
+              false);
+  }
+}
+
+TEST(TwoRings, TheDegreeIsThatOfAllRootsOfUnityTogether) {
+  // √2 is in the ring of order 8, √3 in that of order 12, and both are in that of order 24, of degree 4.
+  const RegularRing twelve(12, kThree);
+  const std::array<PowerOfZeta, 2> root{{{1, 1}, {1, -1}}};
+  const RegularNumber one = regular_number(twelve, Gaussian{1, 0});
+  const RegularNumber root_of_three = regular_number(twelve, root, {});
+  for (const auto& x : biquadratic::powers_with_three(15)) {
+    EXPECT_EQ(products_agree(ProductPair<RegularNumber, RegularNumber>{in_ring(x[2], x[3]), root_of_three,
+                                                                       in_ring(-x[0], -x[1]), one},
                              {}),
-              false)
-        << n;
+              false);
   }
 }
 
