@@ -16,6 +16,7 @@
 #include "kernel/plane.h"
 #include "netgen/base/options.h"
 #include "netgen/curves/closed_curves.h"
+#include "netgen/curves/mapping_class.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"

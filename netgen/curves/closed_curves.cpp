@@ -1,7 +1,9 @@
 #include "netgen/curves/closed_curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -35,71 +37,59 @@ std::int64_t form_value(const std::vector<IntegerVector>& form, const IntegerVec
   return std::inner_product(y.begin(), y.end(), row.begin(), std::int64_t{0});
 }
 
-void add_multiple(IntegerVector& x, std::int64_t factor, const IntegerVector& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * y[i];
+/// Sides of the polygon that a closed path crosses, from the polygon to itself.
+using Sides = std::vector<std::uint32_t>;
+
+Sides reversed(const RadialGraph& graph, const Sides& sides) {
+  Sides result(sides.rbegin(), sides.rend());
+  for (std::uint32_t& side : result) side = graph.partners()[side];
+  return result;
 }
 
-/// A symplectic basis of ℤ^2g for a skew form of determinant 1: a₁, b₁, a₂, b₂, … O(g³), but for Euclid's algorithm.
-/// `letters` are those of paths around the given basis: short ones come first, so that others get few multiples of
-/// them.
-std::vector<IntegerVector> symplectic_basis(const std::vector<IntegerVector>& form, const IntegerVector& letters) {
-  std::vector<IntegerVector> rest;
-  for (std::size_t i = 0; i < form.size(); ++i) {
-    rest.emplace_back(form.size());
-    rest.back()[i] = 1;
-  }
-  const auto size = [&](const IntegerVector& x) {
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += std::abs(x[i]) * letters[i];
-    return sum;
-  };
-  std::vector<IntegerVector> result;
-  while (!rest.empty()) {
-    const auto shortest = std::min_element(
-        rest.begin(), rest.end(), [&](const IntegerVector& x, const IntegerVector& y) { return size(x) < size(y); });
-    const IntegerVector a = *shortest;
-    rest.erase(shortest);
-    // Euclid's algorithm on the products with a, until one of them is left, ±1.
-    const IntegerVector row = products(form, a);
-    const auto product = [&](const IntegerVector& x) {
-      return std::inner_product(x.begin(), x.end(), row.begin(), std::int64_t{0});
-    };
-    const auto key = [&](const IntegerVector& x) { return std::tuple(product(x) == 0, std::abs(product(x)), size(x)); };
-    std::stable_sort(rest.begin(), rest.end(),
-                     [&](const IntegerVector& x, const IntegerVector& y) { return key(x) < key(y); });
-    for (std::size_t i = 1; i < rest.size(); ++i) {
-      while (product(rest[i]) != 0 && std::abs(product(rest[0])) != 1) {
-        add_multiple(rest[0], -(product(rest[0]) / product(rest[i])), rest[i]);
-        std::swap(rest[0], rest[i]);
+Sides joined(const RadialGraph& graph, std::initializer_list<std::span<const std::uint32_t>> parts) {
+  Sides result;
+  for (const std::span<const std::uint32_t> part : parts) {
+    for (const std::uint32_t side : part) {
+      if (!result.empty() && result.back() == graph.partners()[side]) {
+        result.pop_back();
+      } else {
+        result.push_back(side);
       }
     }
-    IntegerVector b = rest.front();
-    rest.erase(rest.begin());
-    if (product(b) < 0) {
-      for (std::int64_t& x : b) x = -x;
-    }
-    const IntegerVector row_of_b = products(form, b);
-    for (IntegerVector& x : rest) {
-      const std::int64_t with_a = product(x);
-      const std::int64_t with_b = std::inner_product(x.begin(), x.end(), row_of_b.begin(), std::int64_t{0});
-      add_multiple(x, with_b, a);
-      add_multiple(x, -with_a, b);
-    }
-    result.push_back(a);
-    result.push_back(std::move(b));
   }
   return result;
 }
 
-/// A path whose class has these coefficients by basis curve of the graph.
-Word path_of_class(const RadialGraph& graph, const IntegerVector& coefficients) {
-  std::vector<std::uint32_t> sides;
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    const std::uint32_t side = graph.basis()[k];
-    sides.insert(sides.end(), static_cast<std::size_t>(std::abs(coefficients[k])),
-                 coefficients[k] > 0 ? side : graph.partners()[side]);
+/// Paths a₁, b₁, a₂, b₂, … that generate the group, with [a₁, b₁][a₂, b₂]… = 1.
+///
+/// The sides that are crossed around the vertex are a relation with each generator and its inverse once. Where it is
+/// F x B y C x⁻¹ D y⁻¹ E, it is F K [x′, y′] B E for K = DC, x = Kx′, y′ = ByC: a commutator, conjugated by FK, before
+/// FDCBE, which is treated alike. Each time the pair x, y is taken that ends first, so that paths are short.
+std::vector<Sides> standard_generators(const RadialGraph& graph) {
+  std::vector<Sides> result;
+  Sides rest = graph.sides_around_vertex();
+  std::vector<std::size_t> at(graph.size());
+  while (!rest.empty()) {
+    for (std::size_t i = 0; i < rest.size(); ++i) at[rest[i]] = i;
+    std::array<std::size_t, 4> place{};
+    for (std::size_t last = 3; place[3] == 0; ++last) {
+      const std::size_t j = at[graph.partners()[rest[last]]];
+      for (std::size_t i = 0; i < j && j < last && place[3] == 0; ++i) {
+        const std::size_t k = at[graph.partners()[rest[i]]];
+        if (j < k && k < last) place = {i, j, k, last};
+      }
+    }
+    const auto [i, j, k, l] = place;
+    const std::span<const std::uint32_t> all(rest);
+    const auto part = [&](std::size_t from, std::size_t to) { return all.subspan(from, to - from); };
+    const Sides f = joined(graph, {part(0, i)});
+    const Sides fk = joined(graph, {f, part(k + 1, l), part(j + 1, k)});
+    const Sides back = reversed(graph, fk);
+    result.push_back(joined(graph, {f, part(i, i + 1), back}));
+    result.push_back(joined(graph, {fk, part(i + 1, k), back}));
+    rest = joined(graph, {fk, part(i + 1, j), part(l + 1, rest.size())});
   }
-  return graph.path(sides);
+  return result;
 }
 
 /// The genus of what is on the left of a simple curve that separates the surface, from the sides that it crosses.
@@ -260,12 +250,10 @@ ClosedCurve checked_curve(const CurveTopology& topology, std::size_t number, con
 }  // namespace
 
 CurveTopology::CurveTopology(const Surface& surface) : graph_(std::make_shared<const RadialGraph>(surface)) {
-  IntegerVector letters;
-  for (const std::uint32_t side : graph_->basis()) {
-    letters.push_back(static_cast<std::int64_t>(graph_->crossing(side).size()));
+  for (const Sides& sides : standard_generators(*graph_)) {
+    basis_.push_back(graph_->path(sides));
+    coordinates_.push_back(graph_->homology(graph_->walk_of(basis_.back())));
   }
-  coordinates_ = symplectic_basis(graph_->intersection_form(), letters);
-  for (const IntegerVector& coefficients : coordinates_) basis_.push_back(path_of_class(*graph_, coefficients));
 }
 
 ClosedCurve CurveTopology::curve(const Word& word) const {

@@ -176,9 +176,11 @@ void RadialGraph::push_right(ClosedWalk& walk) const {
   const std::size_t count = walk.size();
   const auto outward = [](std::size_t i) { return is_even(i); };
   const auto turn_after = [&](std::size_t i) { return turn(walk[i % count], outward(i), walk[(i + 1) % count]); };
-  for (std::size_t i = 0; i < count;) {
+  // Until no turn of all is 1, from the last one that was changed on.
+  for (std::size_t i = 0, unchanged = 0; unchanged < count;) {
     if (turn_after(i) != 1) {
-      ++i;
+      i = (i + 1) % count;
+      ++unchanged;
       continue;
     }
     // Indices from 2 · count on, so that none is negative.
@@ -192,7 +194,8 @@ void RadialGraph::push_right(ClosedWalk& walk) const {
     for (std::size_t k = middle + 2; k <= last; ++k) pushed.push_back(across(walk[k % count], outward(k), true));
     pushed.push_back(turned(walk[last % count], !outward(last), 1));
     for (std::size_t k = first; k <= last; ++k) walk[k % count] = pushed[k - first];
-    i = 0;
+    i = (first - 1) % count;
+    unchanged = 0;
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (turn_after(i) != 2) return;
@@ -231,6 +234,12 @@ std::vector<std::uint32_t> RadialGraph::sides_around(std::uint32_t from, std::ui
   for (std::uint32_t corner = from; corner != to; corner = turned(corner, false, clockwise ? size() - 1 : 1)) {
     sides.push_back(clockwise ? corner : (corner + size() - 1) % size());
   }
+  return sides;
+}
+
+std::vector<std::uint32_t> RadialGraph::sides_around_vertex() const {
+  std::vector<std::uint32_t> sides;
+  for (const std::uint32_t corner : edges_) sides.push_back((corner + size() - 1) % size());
   return sides;
 }
 

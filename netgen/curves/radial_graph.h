@@ -53,6 +53,8 @@ class RadialGraph {
   /// The sides of the polygon that are crossed, outward, on the way around the vertex from one edge to another, the
   /// shorter way.
   [[nodiscard]] std::vector<std::uint32_t> sides_around(std::uint32_t from, std::uint32_t to) const;
+  /// The sides of the polygon that are crossed, outward, once around the vertex, counterclockwise: each once.
+  [[nodiscard]] std::vector<std::uint32_t> sides_around_vertex() const;
   /// A path from tile 0 to itself that crosses these sides of the polygon.
   [[nodiscard]] Word path(const std::vector<std::uint32_t>& sides) const;
   /// The greatest k such that a walk is a k-th power. Requires: not empty.

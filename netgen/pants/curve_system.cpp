@@ -56,7 +56,7 @@ CurveSystem::CurveSystem(const Surface& surface)
 class CurveSystem::Exploration {
  public:
   Exploration(const CurveSystem& system, const Axis& axis) : system_(system), axis_(axis) {
-    add(Isometry<Number>{}, axis.path.tile, 0, SideId(0), 0);
+    add(Isometry<Number>{}, axis.path.tile, 0, SideId(0));
   }
 
   /// Calls visit(meeting) for all lifts of samples in lifts of tiles for which sinh of the distance is at most
@@ -126,7 +126,7 @@ class CurveSystem::Exploration {
     return result;
   }
 
-  void add(const Isometry<Number>& frame, TileId tile, std::uint32_t before, SideId side, double key) {
+  void add(const Isometry<Number>& frame, TileId tile, std::uint32_t before, SideId side) {
     const Vector centre = image(frame, system_.tiles_.centre(tile));
     const Number periods = place_along(axis_.point, axis_.forward, centre) / axis_.length;
     // Not at 0, where the centre of the first tile may be.
@@ -140,7 +140,7 @@ class CurveSystem::Exploration {
     }
     const auto count = static_cast<std::int64_t>(shift);
     lifts_.push_back({shifted(frame, count), tile, before, side, count});
-    queue_.emplace(key, static_cast<std::uint32_t>(lifts_.size() - 1));
+    queue_.emplace(height_of(lifts_.back()), static_cast<std::uint32_t>(lifts_.size() - 1));
   }
 
   /// Moved along the axis by so many periods.
@@ -172,17 +172,37 @@ class CurveSystem::Exploration {
   void go_on_from(std::uint32_t number) {
     const TileId tile = lifts_[number].tile;
     const Isometry<Number> frame = lifts_[number].frame;
-    const std::vector<Vector>& corners = system_.corners_[tile];
+    const std::vector<double> heights = side_heights(lifts_[number]);
+    for (std::uint32_t k = 0; k < heights.size(); ++k) {
+      if (heights[k] < 0) continue;
+      const SideId s = system_.surface_.side_number(tile, k);
+      const TileId beyond = system_.surface_.tile_of_side(system_.surface_.partner(s));
+      add(frame * system_.back_[s], beyond, number, s);
+    }
+  }
+
+  /// Of the sides of a lift: sinh of the distance from the axis, as far as they are not on the right; −1 if they are.
+  [[nodiscard]] std::vector<double> side_heights(const Lift& lift) const {
+    const std::vector<Vector>& corners = system_.corners_[lift.tile];
     std::vector<Vector> ends;
     ends.reserve(corners.size());
-    for (const Vector& corner : corners) ends.push_back(image(frame, corner));
+    for (const Vector& corner : corners) ends.push_back(image(lift.frame, corner));
+    std::vector<double> result;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const double key = height_of(ends[k], ends[(k + 1) % ends.size()], corners[k], corners[(k + 1) % ends.size()]);
-      if (key < 0) continue;
-      const SideId s = system_.surface_.side_number(tile, static_cast<std::uint32_t>(k));
-      const TileId beyond = system_.surface_.tile_of_side(system_.surface_.partner(s));
-      add(frame * system_.back_[s], beyond, number, s, key);
+      const std::size_t next = (k + 1) % corners.size();
+      result.push_back(height_of(ends[k], ends[next], corners[k], corners[next]));
     }
+    return result;
+  }
+
+  /// sinh of the distance of a lift from the axis, which is not on its left. A tile beside the one through which the
+  /// axis leaves it may be met first across a side that is farther away.
+  [[nodiscard]] double height_of(const Lift& lift) const {
+    double least = HUGE_VAL;
+    for (const double height : side_heights(lift)) {
+      if (height >= 0) least = std::min(least, height);
+    }
+    return least;
   }
 
   /// sinh of the distance of a segment from the axis, as far as it is not on the right; −1 if it is.

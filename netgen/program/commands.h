@@ -47,6 +47,7 @@ void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
 void add_curves_command(CLI::App& app, Job& chosen);
+void add_mapping_class_command(CLI::App& app, Job& chosen);
 void add_eigenvalues_command(CLI::App& app, Job& chosen);
 void add_isometries_command(CLI::App& app, Job& chosen);
 void add_isometric_command(CLI::App& app, Job& chosen);
@@ -63,6 +64,10 @@ void add_help_command(CLI::App& app, Job& chosen);
 
 /// The help text for a file whose surface is used.
 inline constexpr const char* kSurfaceHelp = "a surface file, or any file that has a surface, such as a net file";
+/// The help text for a product of Dehn twists.
+inline constexpr const char* kProductHelp =
+    "a product of Dehn twists, the last one first, as in \"a1 b2^-1 C1 (0 6 1)^2\": generators, in upper case their "
+    "inverses, or simple closed curves as words of sides in parentheses";
 /// Adds a required argument, a file to read. `name` is that of the argument, such as NET.
 void add_input(CLI::App& command, const char* name, std::string& path, const char* what);
 /// Adds an option with a file to read or to write.

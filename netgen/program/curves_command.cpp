@@ -11,12 +11,15 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/curves/closed_curves.h"
+#include "netgen/curves/mapping_class.h"
+#include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/files.h"
 
-/// The command curves: how closed curves meet, their classes in homology, and whether they fill the surface.
+/// The commands curves and mapping-class: how closed curves meet, their classes in homology, and whether they fill the
+/// surface; what products of Dehn twists do to them.
 namespace epsnet::program {
 namespace {
 
@@ -150,6 +153,95 @@ void examine_curves(const CurvesRequest& request) {
   write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
+// ---- mapping-class ----
+
+struct MappingClassRequest {
+  std::string surface;
+  std::string product;
+  std::vector<std::string> words;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+Report generators_report(const MappingClassGroup& group) {
+  Report report;
+  Json rows = Json::object();
+  for (const NamedCurve& one : group.generators()) {
+    report.text += one.name + ": " + word_text(letters_of(one.curve)) + '\n';
+    rows[one.name] = letters_of(one.curve);
+  }
+  report.json["generators"] = rows;
+  return report;
+}
+
+/// A closed curve of the command line.
+ClosedCurve checked(const CurveTopology& topology, const std::string& name, const Word& word) {
+  try {
+    return topology.curve(word);
+  } catch (const SurfaceError& error) {
+    throw JobError(name + ": " + error.problem());
+  }
+}
+
+/// The number of the isometry of which it is the mapping class, if there is one.
+std::optional<std::uint32_t> isometry_of(const Surface& surface, const MappingClassGroup& group, const MappingClass& f,
+                                         std::uint32_t order, unsigned threads) {
+  ProgressLine progress;
+  const IsometryGroup isometries =
+      epsnet::isometries(surface, {.threads = threads, .progress = progress.shower()});
+  for (std::uint32_t i = 0; i < isometries.size(); ++i) {
+    if (isometries.order(i) == order && group.is_isometry(f, isometries.isometry(i))) return i;
+  }
+  return std::nullopt;
+}
+
+void examine_mapping_class(const MappingClassRequest& request) {
+  const Surface surface = read_surface_input(request.surface);
+  const MappingClassGroup group(surface);
+  if (request.product.empty()) return write_report(generators_report(group), request.json, false);
+  const MappingClass f = group.parse(request.product);
+  Report report;
+  std::ostringstream out;
+  try {
+    Json images = Json::array();
+    for (std::size_t i = 0; i < request.words.size(); ++i) {
+      const std::string name = "--on " + std::to_string(i);
+      const ClosedCurve curve = checked(group.topology(), name, parse_word(name, request.words[i]));
+      const std::vector<std::uint32_t> image = letters_of(group.topology().word(group.image(f, curve)));
+      out << "image of curve " << i << ": " << word_text(image) << '\n';
+      images.push_back(image);
+    }
+    report.json["images"] = images;
+    const auto matrix = group.homology(f);
+    out << "in homology, in the basis a1, b1, ...:\n";
+    Json rows = Json::array();
+    for (const std::vector<mpz_class>& row : matrix) {
+      Json entries = Json::array();
+      for (const mpz_class& x : row) {
+        out << ' ' << x;
+        entries.push_back(x.get_str());
+      }
+      out << '\n';
+      rows.push_back(entries);
+    }
+    report.json["homology"] = rows;
+    const std::optional<std::uint32_t> order = group.order(f);
+    out << "order " << (order ? std::to_string(*order) : "infinite") << '\n';
+    report.json["order"] = order ? Json(*order) : Json();
+    if (order) {
+      const auto isometry = isometry_of(surface, group, f, *order, request.threads);
+      out << (isometry ? "the mapping class of isometry " + std::to_string(*isometry) + " of epsnet isometries"
+                       : std::string("of no isometry of this surface"))
+          << '\n';
+      report.json["isometry"] = isometry ? Json(*isometry) : Json();
+    }
+  } catch (const CurveError& error) {
+    throw JobError("PRODUCT: twist " + std::to_string(error.number()) + ": " + error.problem());
+  }
+  report.text = out.str();
+  write_report(report, request.json, false);
+}
+
 }  // namespace
 
 Report curves_report(const CurvesDocument& document) {
@@ -208,6 +300,26 @@ void add_curves_command(CLI::App& app, Job& chosen) {
       "Example:\n  epsnet surface octagon --seed 5 -o s.json\n"
       "  epsnet curves s.json 0 1,2 -o curves.json && certify curves.json");
   command->callback([&chosen, shared] { chosen = [shared] { examine_curves(*shared); }; });
+}
+
+void add_mapping_class_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<MappingClassRequest>();
+  CLI::App* command = app.add_subcommand(
+      "mapping-class",
+      "What a product of Dehn twists does to curves and to homology; its order, and whether it is that of an isometry.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  command->add_option("PRODUCT", shared->product, kProductHelp);
+  command->add_option("--on", shared->words, "closed curves of which to print the images, each as a word of sides")
+      ->option_text("WORD ...");
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "Without PRODUCT it lists the generators: b_i meets a_i once, and c_i meets b_i and b_(i+1) once. Twists along a1, "
+      "a2, all b_i and all c_i generate the mapping class group (Humphries). docs/curves.md has the conventions.\n\n"
+      "Example:\n  epsnet surface octagon --seed 5 -o s.json\n"
+      "  epsnet mapping-class s.json \"a1 b1 c1 b2\" --on 0 1,2\n"
+      "  epsnet surface dehn-twist s.json --word \"a1 B1 c1^2\" -o t.json");
+  command->callback([&chosen, shared] { chosen = [shared] { examine_mapping_class(*shared); }; });
 }
 
 }  // namespace epsnet::program

@@ -10,6 +10,7 @@
 #include "certify/base/text.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
+#include "netgen/curves/mapping_class.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/pants/pants.h"
@@ -341,6 +342,7 @@ struct TwistRequest : SurfaceOutput {
   std::string surface;
   std::string curve;
   std::int32_t power = 1;
+  std::string product;
   std::string by;
 };
 
@@ -365,8 +367,21 @@ void make_twisted(const TwistRequest& request, const Twist& twist) {
 }
 
 void make_dehn_twist(const TwistRequest& request) {
-  make_twisted(request,
-               [&](const Surface& surface, const Word& curve) { return dehn_twisted(surface, curve, request.power); });
+  if (request.curve.empty() == request.product.empty())
+    throw UsageError("surface dehn-twist: expected either CURVE or --word (try --help)");
+  if (!request.curve.empty()) {
+    return make_twisted(request, [&](const Surface& surface, const Word& curve) {
+      return dehn_twisted(surface, curve, request.power);
+    });
+  }
+  check_surface_files({{"SURFACE", request.surface}}, request);
+  const Surface surface = read_surface_input(request.surface);
+  const MappingClass product = MappingClassGroup(surface).parse(request.product);
+  try {
+    write_surface_file(with_marking(surface, product), request);
+  } catch (const CurveError& error) {
+    throw JobError("--word: twist " + std::to_string(error.number()) + ": " + error.problem());
+  }
 }
 
 void add_dehn_twist(CLI::App& surface, Job& chosen) {
@@ -375,13 +390,17 @@ void add_dehn_twist(CLI::App& surface, Job& chosen) {
       "dehn-twist",
       "The same surface with another marking: its tiles as triangles, glued alike, after a Dehn twist along a curve.");
   add_input(*command, "SURFACE", request->surface, kSurfaceHelp);
-  command->add_option("CURVE", request->curve, kCurveHelp)->required()->option_text("REQUIRED");
+  command->add_option("CURVE", request->curve, kCurveHelp);
   command->add_option("POWER", request->power, "how often to the left; to the right, if it is negative")
       ->check(CLI::Range(-kMostTwists, kMostTwists).description(""))
       ->option_text("[1]");
+  command->add_option("--word", request->product, std::string("instead of CURVE, ") + kProductHelp)
+      ->option_text("PRODUCT")
+      ->excludes("CURVE");
   add_surface_output(*command, *request);
   command->footer(
-      "A word of side numbers stands for the element that the Dehn twist makes of it. docs/fenchel-nielsen.md has the "
+      "A word of side numbers stands for the element that the Dehn twist makes of it. epsnet mapping-class lists the "
+      "generators. docs/fenchel-nielsen.md has the "
       "details.\n\n"
       "Example:\n  epsnet surface dehn-twist s.json 6,1 -2 -o t.json\n  epsnet isometric s.json t.json");
   set_work(*command, chosen, request, make_dehn_twist);

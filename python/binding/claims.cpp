@@ -4,6 +4,7 @@
 
 #include "netgen/base/gmp.h"
 #include "netgen/curves/closed_curves.h"
+#include "netgen/curves/mapping_class.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"
@@ -401,10 +402,65 @@ void bind_curve_topology(py::module_& module) {
       });
 }
 
+/// Products of Dehn twists are lists of pairs: a word and a power.
+void bind_mapping_classes(py::module_& module) {
+  using Twists = std::vector<std::pair<Word, std::int32_t>>;
+  const auto from_twists = [](const Twists& twists) {
+    MappingClass result;
+    for (const auto& [curve, power] : twists) result.push_back({curve, power});
+    return result;
+  };
+  py::class_<MappingClassGroup>(module, "MappingClassGroup")
+      .def(py::init([](const Surface& surface) { return interruptible([=] { return MappingClassGroup(surface); }); }))
+      .def_property_readonly("generators",
+                             [](const MappingClassGroup& self) {
+                               std::vector<std::pair<std::string, Word>> result;
+                               for (const auto& [name, curve] : self.generators()) result.emplace_back(name, curve);
+                               return result;
+                             })
+      .def("parse",
+           [](const MappingClassGroup& self, const std::string& text) {
+             Twists result;
+             for (const auto& [curve, power] : self.parse(text)) result.emplace_back(curve, power);
+             return result;
+           })
+      .def("image",
+           [from_twists](const MappingClassGroup& self, const Twists& twists, const ClosedCurve& curve) {
+             return interruptible([=] { return self.topology().word(self.image(from_twists(twists), curve)); });
+           })
+      .def("homology",
+           [from_twists](const MappingClassGroup& self, const Twists& twists) {
+             std::vector<std::vector<py::int_>> result;
+             for (const auto& row : self.homology(from_twists(twists))) {
+               auto& entries = result.emplace_back();
+               for (const mpz_class& x : row) {
+                 entries.push_back(py::reinterpret_steal<py::int_>(PyLong_FromString(x.get_str().c_str(), nullptr, 10)));
+               }
+             }
+             return result;
+           })
+      .def("is_identity",
+           [from_twists](const MappingClassGroup& self, const Twists& twists) {
+             return interruptible([=] { return self.is_identity(from_twists(twists)); });
+           })
+      .def("order",
+           [from_twists](const MappingClassGroup& self, const Twists& twists) {
+             return interruptible([=] { return self.order(from_twists(twists)); });
+           })
+      .def("is_isometry", [from_twists](const MappingClassGroup& self, const Twists& twists, bool preserves_orientation,
+                                        const std::vector<Word>& images) {
+        return interruptible([=] { return self.is_isometry(from_twists(twists), {preserves_orientation, images}); });
+      });
+  module.def("with_marking", [from_twists](const Surface& surface, const Twists& twists) {
+    return interruptible([=] { return with_marking(surface, from_twists(twists)); });
+  });
+}
+
 }  // namespace
 
 void bind_curves(py::module_& module) {
   bind_curve_topology(module);
+  bind_mapping_classes(module);
   using certify::CurvesDocument;
   using SharedCurves = Shared<CurvesDocument>;
   py::class_<SharedCurves> bound(module, "Curves");

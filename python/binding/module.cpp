@@ -69,6 +69,8 @@ void bind_errors(py::module_&) {
       raise("SurfaceError", error.what(), "graph");
     } catch (const CurveError& error) {
       raise("ArgumentError", error);
+    } catch (const MappingClassError& error) {
+      raise("ArgumentError", error);
     } catch (const NotCertifiedError& error) {
       raise(error);
     } catch (const NetError& error) {

@@ -29,6 +29,7 @@ from .intervals import Interval
 from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of, random_points
+from .mapping_classes import MappingClass, mapping_class
 from .pants import PantsDecomposition, dehn_twist, dehn_twist_words, pants, twist
 from .symmetries import Comparison, IsometryGroup, SurfaceIsometry, compare, comparison, identify, isometries
 
@@ -740,8 +741,8 @@ class Surface(Drawn, Immutable):
         return curve(self, word)
 
     def homology_basis(self) -> list[tuple[int, ...]]:
-        """The words of 2g closed paths from tile 0, a₁, b₁, a₂, b₂, …, whose classes are a symplectic basis of the first homology group: b_i crosses
-        a_i once from right to left, and all other algebraic intersection numbers are 0.
+        """The words of 2g closed paths from tile 0, a₁, b₁, a₂, b₂, …, that generate the fundamental group with the relation [a₁, b₁][a₂, b₂]… = 1.
+        They are simple; b_i crosses a_i once from right to left, and no others meet: their classes are a symplectic basis of the first homology group.
 
         >>> import epsnet
         >>> len(epsnet.Surface.named("klein").homology_basis())
@@ -752,6 +753,31 @@ class Surface(Drawn, Immutable):
     @cached_property
     def _curve_topology(self) -> "_epsnet.CurveTopology":
         return _epsnet.CurveTopology(self._core)
+
+    def mapping_class(self, product: Any = "") -> MappingClass:
+        """A product of Dehn twists, of which the last one acts first: a text such as ``"a1 b2^-1 C1 (0 6 1)^2"``, with names of
+        ``mapping_class_generators()``, in upper case for inverses, or simple closed curves as words in parentheses; or pairs of a curve and a power.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(123)
+        >>> surface.mapping_class("a1 b1").homology
+        ((0, -1, 0, 0), (1, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
+        """
+        return mapping_class(self, product)
+
+    def mapping_class_generators(self) -> dict[str, tuple[int, ...]]:
+        """Names and words of simple closed curves a1, …, b1, …, c1, …: b_i meets a_i, and c_i meets b_i and b_{i+1}, once, and no others meet. Twists
+        along a1, a2, all b_i and all c_i generate the mapping class group (Humphries).
+
+        >>> import epsnet
+        >>> list(epsnet.Surface.octagon(123).mapping_class_generators())
+        ['a1', 'a2', 'b1', 'b2', 'c1']
+        """
+        return {name: tuple(word) for name, word in self._mapping_class_group.generators}
+
+    @cached_property
+    def _mapping_class_group(self) -> "_epsnet.MappingClassGroup":
+        return _epsnet.MappingClassGroup(self._core)
 
     def curves(self, words: Iterable[Any], *, threads: int = 0, progress: Progress = None) -> ClosedCurves:
         """What ``curve`` says of many closed curves, proved: their lengths, powers, self-intersections, intersection numbers, classes in homology;

@@ -4,6 +4,7 @@ import json
 import math
 import pickle
 
+import numpy as np
 import pytest
 
 import epsnet
@@ -205,3 +206,21 @@ def test_false_files(octagon, tmp_path):
     path.write_text(json.dumps({**text, "pairs": text["pairs"][1:]}))
     with pytest.raises(FormatError, match="pairs"):
         epsnet.load(path, check=False)
+
+
+def test_mapping_classes(octagon):
+    f, g = octagon.mapping_class("a1 b1^2"), octagon.mapping_class([(octagon.mapping_class_generators()["c1"], -1)])
+    assert g == octagon.mapping_class("C1") and g != octagon.mapping_class("c1")
+    assert (f * g).inverse() == g.inverse() * f.inverse() and f * f.inverse() == octagon.mapping_class()
+    assert f ** -2 == (f * f).inverse() and (f ** 0).is_identity
+    curve = octagon.curve([1, 2])
+    assert (f * g)(curve) == f(g(curve)) and f(curve) != g(curve)
+    assert np.array_equal(np.array((f * g).homology), np.array(f.homology) @ np.array(g.homology))
+    assert np.array_equal(np.array(f.homology) @ curve.homology, f(curve).homology)
+    assert pickle.loads(pickle.dumps(f)) == f and len({f, f * g * g.inverse()}) == 1
+    assert f.order is None and f.isometry is None
+    assert f.marking().isometric_to(octagon)
+    with pytest.raises(epsnet.ArgumentError, match="at character 4 of \"a1 d1\": expected a name from a1 to c1"):
+        octagon.mapping_class("a1 d1")
+    with pytest.raises(epsnet.ArgumentError, match="curve 1: not simple|curve 1: power 2"):
+        octagon.mapping_class([([0], 1), ([0, 0], 1)])(curve)

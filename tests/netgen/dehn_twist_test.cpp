@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
@@ -50,6 +51,23 @@ Surface any_surface() {
   const auto kind = *rc::gen::inRange<std::uint32_t>(1, 4);
   if (kind == 1) return random_octagon(static_cast<std::int32_t>(seed));
   return fenchel_nielsen_surface(random_coordinates(PantsGraph::random(kind, seed), seed));
+}
+
+// Geodesics that pass through vertices of tiles, the middles of sides, and along them.
+TEST(DehnTwist, RespectsTheRelationsWhereAGeodesicMeetsTheTilesSymmetrically) {
+  for (const Surface& surface : {named_surface("bolza"), named_surface("klein"), named_surface("bring")}) {
+    const auto document = unproved::systole(surface);
+    for (const auto& geodesic : document.geodesics) {
+      const ById<SideId, Word> images = dehn_twist_words(surface, word_of_letters(geodesic.word));
+      for (const SideId s : surface.side_ids()) {
+        const Word cycle = surface.corner_cycle(s);
+        const Word image = image_of(surface, images, cycle);
+        if (!image.empty()) {
+          EXPECT_LT(length(surface, image), 1e-9) << s.number();
+        }
+      }
+    }
+  }
 }
 
 RC_GTEST_PROP(DehnTwistProperty, IsAnAutomorphismThatIsUndone, ()) {
