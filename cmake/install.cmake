@@ -52,7 +52,7 @@ if(EPSNET_INCLUDE_flint_arb_h)
 else()
   set(flint "-lflint-arb -lflint")
 endif()
-epsnet_pkg_config(epsnet "${PROJECT_DESCRIPTION}" "epsnet-certify = ${PROJECT_VERSION}" "-lepsnet -lmpfr -lgmp" "-ltbb -lmetis")
+epsnet_pkg_config(epsnet "${PROJECT_DESCRIPTION}" "epsnet-certify = ${PROJECT_VERSION}" "-lepsnet -lmpfr -lgmp" "-ltbb -lmetis -lClp -lCoinUtils")
 epsnet_pkg_config(epsnet-certify "Checker of epsilon-nets of closed hyperbolic surfaces" "" "-lepsnet_certify -lgmpxx -lgmp"
   "${flint} -lmpfr -pthread -lm")
 

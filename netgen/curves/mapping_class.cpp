@@ -242,8 +242,7 @@ Matrix MappingClassGroup::homology(const MappingClass& f) const {
 bool MappingClassGroup::is_identity(const MappingClass& f) const {
   if (homology(f) != identity_matrix(topology_.homology_basis().size())) return false;
   const std::vector<Images> images = images_of(f);
-  return std::all_of(chain_.begin(), chain_.end(),
-                     [&](const Walk& curve) { return image(images, curve) == curve; });
+  return std::all_of(chain_.begin(), chain_.end(), [&](const Walk& curve) { return image(images, curve) == curve; });
 }
 
 std::optional<std::uint32_t> MappingClassGroup::order(const MappingClass& f) const {
@@ -274,8 +273,8 @@ std::optional<std::uint32_t> MappingClassGroup::order(const MappingClass& f) con
 
 bool MappingClassGroup::is_isometry(const MappingClass& f, const SurfaceIsometry& isometry) const {
   if (!isometry.preserves_orientation) return false;
-  // By side of the surface: the image of the path across it; none for sides inside of the polygon. The generator of side
-  // k is the path across its partner.
+  // By side of the surface: the image of the path across it; none for sides inside of the polygon. The generator of
+  // side k is the path across its partner.
   Images image_of_side(surface_.side_count());
   const PolygonSides polygon = polygon_sides(surface_);
   std::size_t generator = 0;

@@ -50,9 +50,9 @@ class MappingClassGroup {
 
   [[nodiscard]] const CurveTopology& topology() const { return topology_; }
 
-  /// a₁, …, a_g, b₁, …, b_g, c₁, …, c_{g−1}: curves with a_i and b_i those of the homology basis. b_i meets a_i, and c_i
-  /// meets b_i and b_{i+1}, once; no two others meet. Twists along them generate the group (W. Lickorish, A finite set
-  /// of generators for the homeotopy group of a 2-manifold, 1964); those along a₁, a₂, all b_i and all c_i do so
+  /// a₁, …, a_g, b₁, …, b_g, c₁, …, c_{g−1}: curves with a_i and b_i those of the homology basis. b_i meets a_i, and
+  /// c_i meets b_i and b_{i+1}, once; no two others meet. Twists along them generate the group (W. Lickorish, A finite
+  /// set of generators for the homeotopy group of a 2-manifold, 1964); those along a₁, a₂, all b_i and all c_i do so
   /// (S. Humphries, Generators for the mapping class group, 1979).
   [[nodiscard]] const std::vector<NamedCurve>& generators() const { return generators_; }
 

@@ -48,6 +48,7 @@ void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
 void add_curves_command(CLI::App& app, Job& chosen);
 void add_mapping_class_command(CLI::App& app, Job& chosen);
+void add_maximize_command(CLI::App& app, Job& chosen);
 void add_eigenvalues_command(CLI::App& app, Job& chosen);
 void add_isometries_command(CLI::App& app, Job& chosen);
 void add_isometric_command(CLI::App& app, Job& chosen);

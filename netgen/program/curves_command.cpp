@@ -12,6 +12,7 @@
 #include "netgen/base/progress_line.h"
 #include "netgen/curves/closed_curves.h"
 #include "netgen/curves/mapping_class.h"
+#include "netgen/curves/maximal_systole.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
@@ -19,7 +20,7 @@
 #include "netgen/program/files.h"
 
 /// The commands curves and mapping-class: how closed curves meet, their classes in homology, and whether they fill the
-/// surface; what products of Dehn twists do to them.
+/// surface; what products of Dehn twists do to them. And maximize, which makes their lengths greatest.
 namespace epsnet::program {
 namespace {
 
@@ -187,8 +188,7 @@ ClosedCurve checked(const CurveTopology& topology, const std::string& name, cons
 std::optional<std::uint32_t> isometry_of(const Surface& surface, const MappingClassGroup& group, const MappingClass& f,
                                          std::uint32_t order, unsigned threads) {
   ProgressLine progress;
-  const IsometryGroup isometries =
-      epsnet::isometries(surface, {.threads = threads, .progress = progress.shower()});
+  const IsometryGroup isometries = epsnet::isometries(surface, {.threads = threads, .progress = progress.shower()});
   for (std::uint32_t i = 0; i < isometries.size(); ++i) {
     if (isometries.order(i) == order && group.is_isometry(f, isometries.isometry(i))) return i;
   }
@@ -240,6 +240,65 @@ void examine_mapping_class(const MappingClassRequest& request) {
   }
   report.text = out.str();
   write_report(report, request.json, false);
+}
+
+// ---- maximize systole ----
+
+struct MaximizeRequest {
+  std::string surface;
+  std::string output;
+  std::uint32_t steps = MaximizeOptions().steps;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+void climb_to_systole(const MaximizeRequest& request) {
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  const Surface surface = read_surface_input(request.surface);
+  const SystoleMaximum found = [&] {
+    ProgressLine progress;
+    return maximize_systole(surface,
+                            {.steps = request.steps, .threads = request.threads, .progress = progress.shower()});
+  }();
+  Report report;
+  std::ostringstream out;
+  const std::size_t edges = found.coordinates.values.size() / 2;
+  Json curves = Json::array();
+  out << "systole: " << to_string(found.systole)
+      << ", proved\nclosed geodesics as long as it, to 9 digits: " << found.systoles.size() << '\n';
+  for (const Word& word : found.systoles) {
+    out << "  " << word_text(letters_of(word)) << '\n';
+    curves.push_back(letters_of(word));
+  }
+  Json lengths = Json::array();
+  Json twists = Json::array();
+  out << "pants graph: " << graph_text(found.coordinates.graph) << '\n';
+  for (std::size_t e = 0; e < edges; ++e) {
+    const certify::Interval& length = found.coordinates.values[e];
+    const certify::Interval& twist = found.coordinates.values[edges + e];
+    out << "edge " << e << ": length " << to_string(length) << ", twist " << to_string(twist) << '\n';
+    lengths.push_back(interval_json(length));
+    twists.push_back(interval_json(twist));
+  }
+  report.json = Json::object({{"systole", interval_json(found.systole)},
+                              {"systoles", curves},
+                              {"graph", graph_text(found.coordinates.graph)},
+                              {"lengths", lengths},
+                              {"twists", twists},
+                              {"surfaces", found.steps},
+                              {"maximum_within", nullptr}});
+  if (found.proof) {
+    const std::string distance = certify::decimal_above(found.proof->distance, 3);
+    out << "a local maximum of the systole is nearer than " << distance
+        << " in all coordinates; this program alone proves it, in interval arithmetic\n";
+    report.json["maximum_within"] = found.proof->distance;
+  } else {
+    out << "not proved: that a local maximum of the systole is near\n";
+  }
+  report.text = out.str();
+  const certify::SurfaceDocument document = to_document(found.surface);
+  write_output(request.output, [&](std::ostream& stream) { certify::write_file(document, stream); });
+  write_report(report, request.json, is_stdout(request.output));
 }
 
 }  // namespace
@@ -304,9 +363,9 @@ void add_curves_command(CLI::App& app, Job& chosen) {
 
 void add_mapping_class_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<MappingClassRequest>();
-  CLI::App* command = app.add_subcommand(
-      "mapping-class",
-      "What a product of Dehn twists does to curves and to homology; its order, and whether it is that of an isometry.");
+  CLI::App* command = app.add_subcommand("mapping-class",
+                                         "What a product of Dehn twists does to curves and to homology; its order, and "
+                                         "whether it is that of an isometry.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   command->add_option("PRODUCT", shared->product, kProductHelp);
   command->add_option("--on", shared->words, "closed curves of which to print the images, each as a word of sides")
@@ -314,12 +373,34 @@ void add_mapping_class_command(CLI::App& app, Job& chosen) {
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "Without PRODUCT it lists the generators: b_i meets a_i once, and c_i meets b_i and b_(i+1) once. Twists along a1, "
+      "Without PRODUCT it lists the generators: b_i meets a_i once, and c_i meets b_i and b_(i+1) once. Twists along "
+      "a1, "
       "a2, all b_i and all c_i generate the mapping class group (Humphries). docs/curves.md has the conventions.\n\n"
       "Example:\n  epsnet surface octagon --seed 5 -o s.json\n"
       "  epsnet mapping-class s.json \"a1 b1 c1 b2\" --on 0 1,2\n"
       "  epsnet surface dehn-twist s.json --word \"a1 B1 c1^2\" -o t.json");
   command->callback([&chosen, shared] { chosen = [shared] { examine_mapping_class(*shared); }; });
+}
+
+void add_maximize_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<MaximizeRequest>();
+  CLI::App* maximize = app.add_subcommand("maximize", "Climb from a surface to one that is extreme.");
+  maximize->require_subcommand(0, 1);
+  maximize->footer("Example:\n  epsnet maximize systole s.json -o t.json");
+  CLI::App* command = maximize->add_subcommand(
+      "systole", "To a local maximum of the systole, with a proof that one is near: the surface and its systoles.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  add_output(*command, shared->output, "the surface file to write");
+  command->add_option("--steps", shared->steps, "look at no more surfaces than that")
+      ->check(integer_between(1, 100000))
+      ->option_text("N [" + std::to_string(shared->steps) + "]");
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "It changes Fenchel-Nielsen coordinates: each time a linear programme says how all short closed geodesics get "
+      "longer together. docs/curves.md says how, and why the proof is one.\n\n"
+      "Example:\n  epsnet surface octagon --seed 5 -o s.json\n  epsnet maximize systole s.json -o t.json");
+  command->callback([&chosen, shared] { chosen = [shared] { climb_to_systole(*shared); }; });
 }
 
 }  // namespace epsnet::program

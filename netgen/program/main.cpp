@@ -299,12 +299,12 @@ void add_commands(CLI::App& app, Job& chosen) {
     std::vector<void (*)(CLI::App&, Job&)> commands;
   };
   const std::vector<Group> groups = {
-      {"Surfaces", {add_surface_command, add_pants_command, add_dirichlet_command}},
+      {"Surfaces", {add_surface_command, add_pants_command, add_dirichlet_command, add_maximize_command}},
       {"Nets", {add_net_command, add_import_net_command, add_locate_command}},
       {"Lengths and distances",
        {add_systole_command, add_spectrum_command, add_thick_thin_command, add_curves_command,
-        add_mapping_class_command, add_distance_command, add_distances_command, add_eccentricity_command, add_diameter_command, add_radius_command,
-        add_embedded_disk_command}},
+        add_mapping_class_command, add_distance_command, add_distances_command, add_eccentricity_command,
+        add_diameter_command, add_radius_command, add_embedded_disk_command}},
       {"Spectrum and symmetries",
        {add_eigenvalues_command, add_isometries_command, add_isometric_command, add_identify_command}},
       {"Files and pictures",

@@ -4,7 +4,9 @@
 
 #include "netgen/base/gmp.h"
 #include "netgen/curves/closed_curves.h"
+#include "netgen/curves/length_derivatives.h"
 #include "netgen/curves/mapping_class.h"
+#include "netgen/curves/maximal_systole.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"
@@ -402,6 +404,30 @@ void bind_curve_topology(py::module_& module) {
       });
 }
 
+void bind_derivatives(py::module_& module) {
+  module.def("length_derivatives", [](const Surface& surface, const Word& word, bool second, unsigned threads) {
+    const LengthDerivatives result = interruptible([=] {
+      PantsOptions options;
+      options.threads = threads;
+      return length_derivatives(enclosed_coordinates(pants_decomposition(surface, options)), word, second);
+    });
+    return py::make_tuple(result.length, result.gradient, result.second);
+  });
+#ifndef __EMSCRIPTEN__
+  module.def(
+      "maximize_systole", [](const Surface& start, std::uint32_t steps, unsigned threads, const py::object& callback) {
+        const SystoleMaximum found = interruptible(
+            [=](const Progress& progress) {
+              return maximize_systole(start, {.steps = steps, .threads = threads, .progress = progress});
+            },
+            callback);
+        using Proof = std::pair<double, double>;
+        return std::tuple(found.surface, found.systole, found.systoles,
+                          found.proof ? std::optional(Proof(found.proof->distance, found.proof->slope)) : std::nullopt);
+      });
+#endif
+}
+
 /// Products of Dehn twists are lists of pairs: a word and a power.
 void bind_mapping_classes(py::module_& module) {
   using Twists = std::vector<std::pair<Word, std::int32_t>>;
@@ -428,17 +454,18 @@ void bind_mapping_classes(py::module_& module) {
            [from_twists](const MappingClassGroup& self, const Twists& twists, const ClosedCurve& curve) {
              return interruptible([=] { return self.topology().word(self.image(from_twists(twists), curve)); });
            })
-      .def("homology",
-           [from_twists](const MappingClassGroup& self, const Twists& twists) {
-             std::vector<std::vector<py::int_>> result;
-             for (const auto& row : self.homology(from_twists(twists))) {
-               auto& entries = result.emplace_back();
-               for (const mpz_class& x : row) {
-                 entries.push_back(py::reinterpret_steal<py::int_>(PyLong_FromString(x.get_str().c_str(), nullptr, 10)));
-               }
-             }
-             return result;
-           })
+      .def(
+          "homology",
+          [from_twists](const MappingClassGroup& self, const Twists& twists) {
+            std::vector<std::vector<py::int_>> result;
+            for (const auto& row : self.homology(from_twists(twists))) {
+              auto& entries = result.emplace_back();
+              for (const mpz_class& x : row) {
+                entries.push_back(py::reinterpret_steal<py::int_>(PyLong_FromString(x.get_str().c_str(), nullptr, 10)));
+              }
+            }
+            return result;
+          })
       .def("is_identity",
            [from_twists](const MappingClassGroup& self, const Twists& twists) {
              return interruptible([=] { return self.is_identity(from_twists(twists)); });
@@ -461,6 +488,7 @@ void bind_mapping_classes(py::module_& module) {
 void bind_curves(py::module_& module) {
   bind_curve_topology(module);
   bind_mapping_classes(module);
+  bind_derivatives(module);
   using certify::CurvesDocument;
   using SharedCurves = Shared<CurvesDocument>;
   py::class_<SharedCurves> bound(module, "Curves");

@@ -22,6 +22,7 @@ Interval        lower and upper ends, and whether it is proved; arithmetic and c
 PantsDecomposition  Fenchel–Nielsen coordinates of any surface, with their proof
 ClosedCurves    how closed curves meet, their classes in homology, whether they fill, with their proof; Curve: one, from its word
 MappingClass    a product of Dehn twists: its order, what it does to curves and to homology
+LengthDerivatives  of a closed geodesic, with respect to Fenchel–Nielsen coordinates; SystoleMaximum: the greatest systole near a surface
 IsometryGroup   the symmetries of a surface, with their proof
 Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) in intervals
 load, certify   files, and what the checker says of them
@@ -53,6 +54,7 @@ from .graphs import SurfaceGraph
 from .groups import FundamentalGroup
 from .intervals import Interval, ends, mids
 from .isometries import Axis, ComplexInterval, Gaussian, Isometry
+from .lengths import LengthDerivatives, SystoleMaximum
 from .many import map as map, table  # Not in __all__, where it would hide Python's own.
 from .mapping_classes import MappingClass
 from .nets import Collar, DistanceTable, Lifts, Location, Net, Page
@@ -66,7 +68,7 @@ __version__: str = _epsnet.__version__
 __all__ = [
     "ArgumentError", "Axis", "Certificate", "ClosedCurve", "ClosedCurves", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Curve", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
-    "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "MappingClass", "Multiplicities", "Multiplicity", "Net",
-    "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole",
+    "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "LengthDerivatives", "Lifts", "LimitError", "Location", "MappingClass", "Multiplicities", "Multiplicity", "Net",
+    "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole", "SystoleMaximum",
     "ThickThin", "UndecidedError", "certify", "ends", "errors", "load", "mids", "table",
 ]

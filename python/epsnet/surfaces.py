@@ -29,6 +29,7 @@ from .intervals import Interval
 from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of, random_points
+from .lengths import LengthDerivatives, SystoleMaximum, gradient, maximize_systole
 from .mapping_classes import MappingClass, mapping_class
 from .pants import PantsDecomposition, dehn_twist, dehn_twist_words, pants, twist
 from .symmetries import Comparison, IsometryGroup, SurfaceIsometry, compare, comparison, identify, isometries
@@ -753,6 +754,30 @@ class Surface(Drawn, Immutable):
     @cached_property
     def _curve_topology(self) -> "_epsnet.CurveTopology":
         return _epsnet.CurveTopology(self._core)
+
+    def gradient(self, word: Any, *, second: bool = False, threads: int = 0) -> LengthDerivatives:
+        """The derivatives of the length of a closed geodesic with respect to the Fenchel–Nielsen coordinates of a surface that
+        ``Surface.fenchel_nielsen`` made, its lengths and twists; with ``second`` those of second order, too. The word is one of its sides, as closed
+        geodesics have it. SurfaceError for other tiles: ``surface.pants().fenchel_nielsen()`` is the surface in such tiles.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.fenchel_nielsen(graph="theta", lengths=[2, 2, 2], twists=[0, 0, 0])
+        >>> cuff = surface.pants().cuffs[0]
+        >>> [round(x.mid, 9) + 0 for x in surface.gradient(cuff).by_lengths]
+        [1.0, 0.0, 0.0]
+        """
+        return gradient(self, word, second, threads)
+
+    def maximize_systole(self, *, steps: int = 200, threads: int = 0, progress: Progress = None) -> SystoleMaximum:
+        """Climbs from this surface, in its Fenchel–Nielsen coordinates, to a local maximum of the systole, and proves that one is near. ``steps`` is
+        the number of surfaces that are looked at, at most.
+
+        >>> import epsnet
+        >>> found = epsnet.Surface.octagon(123).maximize_systole()
+        >>> abs(found.systole.mid - epsnet.Surface.named("bolza").systole().mid) < 1e-12, len(found.systoles)
+        (True, 12)
+        """
+        return maximize_systole(self, steps, threads, progress)
 
     def mapping_class(self, product: Any = "") -> MappingClass:
         """A product of Dehn twists, of which the last one acts first: a text such as ``"a1 b2^-1 C1 (0 6 1)^2"``, with names of

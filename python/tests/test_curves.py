@@ -224,3 +224,26 @@ def test_mapping_classes(octagon):
         octagon.mapping_class("a1 d1")
     with pytest.raises(epsnet.ArgumentError, match="curve 1: not simple|curve 1: power 2"):
         octagon.mapping_class([([0], 1), ([0, 0], 1)])(curve)
+
+
+def test_gradients():
+    surface = Surface.fenchel_nielsen(graph="0-0 0-1 1-1", seed=4)
+    curve = surface.spectrum(6)[7]
+    found = surface.gradient(curve, second=True)
+    assert curve.length.mid == pytest.approx(found.length.mid, abs=1e-12)
+    cuffs = surface.pants().cuffs
+    assert [x.mid for x in found.by_twists] == pytest.approx([surface.curve(curve).twist_derivative(cuff).mid for cuff in cuffs], abs=1e-12)
+    assert len(found.by_lengths) == 3 and np.shape([[x.mid for x in row] for row in found.second]) == (6, 6)
+    assert not surface.gradient(curve).second and not found.length.proved
+    with pytest.raises(SurfaceError, match="not the heptagons"):
+        Surface.octagon(5).gradient([0])
+
+
+def test_the_greatest_systole(octagon, bolza):
+    found = octagon.maximize_systole()
+    assert found.systole.mid == pytest.approx(bolza.systole().mid, abs=1e-12) and found.systole.proved
+    assert len(found.systoles) == 12 and found.maximum_within < 1e-11 and found.slope > 0
+    assert found.surface.systole().lower == found.systole.lower
+    assert octagon.maximize_systole(steps=1).maximum_within is None
+    with pytest.raises(ArgumentError, match="steps"):
+        octagon.maximize_systole(steps=0)

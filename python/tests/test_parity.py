@@ -70,6 +70,7 @@ FUNCTIONS = {
     "pants": (Surface.pants, {}),
     "curves": (Surface.curves, {"--curves": "words"}),
     "mapping-class": (Surface.mapping_class, {}),
+    "maximize systole": (Surface.maximize_systole, {}),
     "draw": (Net.svg, {"--show": ("triangles", "vertices", "dirichlet", "combinatorial_dirichlet", "tiles", "disks", "half_disks"),
                        "--geodesics": "show", "--distance": "show"}),
     "view": (Net.view, {"--geodesics": "show", "--distance": "show", "--threads": None}),

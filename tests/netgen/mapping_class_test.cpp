@@ -85,7 +85,8 @@ TEST(MappingClassGroup, GeneratorsMeetAsTheirNamesSay) {
         const std::string& y = generators[i].name;
         const int m = std::stoi(x.substr(1));
         const int n = std::stoi(y.substr(1));
-        const bool meet = (x[0] == 'a' && y[0] == 'b' && m == n) || (x[0] == 'b' && y[0] == 'c' && (m == n || m == n + 1));
+        const bool meet =
+            (x[0] == 'a' && y[0] == 'b' && m == n) || (x[0] == 'b' && y[0] == 'c' && (m == n || m == n + 1));
         EXPECT_EQ(group.topology().intersections(curves[i], curves[j]).geometric, meet ? 1U : 0U) << x << ' ' << y;
       }
     }
