@@ -12,7 +12,8 @@
 namespace epsnet {
 namespace {
 
-/// A phase in a file has at most so many (docs/format.md).
+/// The phases of a file are multiples of 1/n for an n of at most that (docs/format.md).
+constexpr std::int64_t kGreatestDenominator = 1'000'000'000'000'000'000;
 constexpr std::size_t kMostCharacters = 40;
 
 /// The graph of the vertices and the pairs of sides of the fundamental polygon. Vertex v is where the sides of relation
@@ -86,15 +87,15 @@ ById<SideId, Rational> phases_of_sides(const Surface& surface, const std::vector
     }
     set(*k, -around);
   }
-  ById<SideId, Rational> result(surface.side_count());
-  for (std::size_t k = 0; k < of_polygon.size(); ++k) {
-    const SideId side = polygon.side[k];
-    result[side] = of_polygon[k];
-    if (result[side].str().size() > kMostCharacters) {
-      throw CharacterError("the phase of side " + to_string(side) + " takes more than " +
-                           std::to_string(kMostCharacters) + " characters");
-    }
+  mpz_class multiple = 1;
+  for (const Rational& phase : of_polygon) {
+    const mpz_class denominator = to_gmp(phase).get_den();
+    mpz_lcm(multiple.get_mpz_t(), multiple.get_mpz_t(), denominator.get_mpz_t());
+    if (multiple > kGreatestDenominator)
+      throw CharacterError("the phases are not multiples of 1/n for any n of at most 10^18");
   }
+  ById<SideId, Rational> result(surface.side_count());
+  for (std::size_t k = 0; k < of_polygon.size(); ++k) result[polygon.side[k]] = of_polygon[k];
   return result;
 }
 

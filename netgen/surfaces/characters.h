@@ -28,8 +28,8 @@ class CharacterError : public Error {
 [[nodiscard]] std::vector<SideId> character_sides(const Surface& surface);
 
 /// Returns the phases of all sides, in (−1/2, 1/2], from those of character_sides, in turns. Sides inside of the
-/// fundamental polygon have phase 0. Throws CharacterError if there are not 2g, or if a phase takes more than 40
-/// characters, as in "-123/456": files have no such phases. O(sides).
+/// fundamental polygon have phase 0. Throws CharacterError if there are not 2g, or if there is no n ≤ 10¹⁸ of which all
+/// are multiples of 1/n: files have no such phases. O(sides).
 [[nodiscard]] ById<SideId, Rational> phases_of_sides(const Surface& surface, const std::vector<Rational>& turns);
 
 /// Returns the phase of a word, the sum of those of its sides: in (−1/2, 1/2], exact before it is rounded. Requires:
