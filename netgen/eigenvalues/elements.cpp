@@ -613,7 +613,8 @@ certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std:
                    entries.push_back({2 * std::max(i, j) + 1, 2 * std::min(i, j), below_diagonal, 0});
                  });
   const certify::SparseMatrix matrix(2 * size, std::move(entries));
-  if (wanted) *wanted *= 2;
+  // The number is a multiple of two: one more than an upper bound, or one less than a lower one, is enough.
+  if (wanted) *wanted = bound == certify::Bound::upper ? 2 * *wanted + 1 : std::max<std::uint64_t>(2 * *wanted, 1) - 1;
   certify::Inertia twice = matrix.negative_eigenvalues(bound, {}, certify::thread_count(threads), wanted);
   twice.negative = bound == certify::Bound::upper ? twice.negative / 2 : (twice.negative + 1) / 2;
   return twice;
