@@ -1,12 +1,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -256,6 +254,26 @@ TEST(PhasedEigenvalues, OfConjugatePhasesAreTheSame) {
     EXPECT_EQ(intervals(one).size(), intervals(other).size());
     expect_equal(intervals(one), intervals(other), "conjugate");
     EXPECT_EQ(one.side_order, other.side_order);
+  }
+}
+
+/// The rotation by a corner of the regular 4g-gon takes side k to side k + 1, and side 2g has the phase −θ₀.
+TEST(PhasedEigenvalues, OfARegularPolygonAreTheSameForPhasesThatAreRotated) {
+  for (const std::uint32_t genus : {2U, 3U}) {
+    const Surface surface = Surface::regular(genus);
+    TorusPoint turns = one_phase(surface, Rational(1, 3));
+    turns[1] = Rational(1, 5);
+    turns.back() = Rational(1, 7);
+    TorusPoint rotated{Rational(-turns.back())};
+    rotated.insert(rotated.end(), turns.begin(), turns.end() - 1);
+    const EigenvaluesDocument one = unproved::eigenvalues(surface, {.count = 4, .phases = turns});
+    const EigenvaluesDocument other = unproved::eigenvalues(surface, {.count = 4, .phases = rotated});
+    expect_equal(intervals(one), intervals(other), "rotated");
+    // It matters: other phases have other eigenvalues.
+    std::swap(rotated[0], rotated[1]);
+    const EigenvaluesDocument different = unproved::eigenvalues(surface, {.count = 4, .phases = rotated});
+    EXPECT_TRUE(intervals(different)[0].lower > intervals(one)[0].upper ||
+                intervals(different)[0].upper < intervals(one)[0].lower);
   }
 }
 
