@@ -30,6 +30,7 @@
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/prove/certified.h"
+#include "netgen/surfaces/characters.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/regular_maps.h"

@@ -317,6 +317,13 @@ std::vector<std::vector<Index>> read_words(const Json& root, const char* name, W
   return result;
 }
 
+/// A few digits, so that all together are not much work.
+mpq_class read_phase(const Json& value) {
+  if (value.text.size() > 40 || value.text.find_first_of("eE") != std::string::npos)
+    throw Malformed("phases: expected at most 40 characters without an exponent");
+  return to_decimal(value);
+}
+
 /// lower <= upper, of any sign.
 Range read_range(const Json& value, const char* what) {
   const auto& two = tuple(value, 2, what);
@@ -429,11 +436,12 @@ GeodesicsDocument read_geodesics(const Json& root) {
 }
 
 EigenvaluesDocument read_eigenvalues(const Json& root) {
-  expect_members(root, {"format", "version", "net", "eigenvalues", "next", "halvings", "side_order", "vertex_order",
-                        "at_most", "at_least", "eigenfunctions"});
+  expect_members(root, {"format", "version", "net", "phases", "eigenvalues", "next", "halvings", "side_order",
+                        "vertex_order", "at_most", "at_least", "eigenfunctions"});
   expect_version(root);
   Words words;
   EigenvaluesDocument document{.net = read_whole_net(root, words),
+                               .phases = {},
                                .eigenvalues = {},
                                .next = read_binary64(member(root, "next")),
                                .halvings = to_index(member(root, "halvings")),
@@ -442,6 +450,9 @@ EigenvaluesDocument read_eigenvalues(const Json& root) {
                                .at_most = {},
                                .at_least = {},
                                .eigenfunctions = {}};
+  if (const Json* phases = find(root, "phases")) {
+    for (const Json& phase : array(*phases, "phases")) document.phases.push_back(read_phase(phase));
+  }
   for (const Json& row : array(member(root, "eigenvalues"), "eigenvalues")) {
     expect_members(row, {"in", "count"});
     document.eigenvalues.push_back({read_length(member(row, "in"), "in"), to_index(member(row, "count"))});

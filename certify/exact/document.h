@@ -201,6 +201,7 @@ struct EigenvaluesDocument {
   };
 
   Net net;
+  std::vector<mpq_class> phases;  ///< By side, in turns; none: of functions.
   std::vector<Enclosure> eigenvalues;
   mpq_class next;
   Index halvings;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "certify/exact/claim_rules.h"
 #include "certify/exact/eigenfunctions.h"
 #include "certify/exact/inertia.h"
+#include "certify/exact/line_bundle.h"
 #include "certify/exact/net_structure.h"
 
 /// Section 17: eigenvalues of the Laplacian, by inertia and eigenfunctions.
@@ -146,7 +148,22 @@ void check_functions(const Document::Eigenfunctions& row, const Net& net) {
   }
 }
 
-void check_structure(const Document& document) {
+/// One for each of so many sides; of absolute value less than 1, multiples of 1/n for some n <= 10^18.
+void check_phases(const std::vector<mpq_class>& phases, std::size_t sides) {
+  if (phases.empty()) return;
+  expect(phases.size() == sides, "phases: not one for each side of the surface");
+  const mpz_class most("1000000000000000000");
+  mpz_class denominator = 1;
+  for (const mpq_class& phase : phases) {
+    expect(abs(phase) < 1, "phases: one is not between -1 and 1");
+    denominator = lcm(denominator, phase.get_den());
+    expect(denominator <= most, "phases: the least common denominator is more than 10^18");
+  }
+}
+
+void check_structure(const Document& document, std::size_t sides) {
+  check_phases(document.phases, sides);
+  expect(document.phases.empty() || document.eigenfunctions.empty(), "eigenfunctions: there are phases");
   expect(document.next >= 0, "next: negative");
   expect(document.halvings <= 12, "halvings: more than 12");
   const HalvedSize size = halved_size(document.net, document.halvings);
@@ -169,18 +186,24 @@ template <class R>
 class EigenvalueRules {
  public:
   EigenvalueRules(const Document& document, NetRules<R>& net, long most_values)
-      : document_(document), net_(net), most_values_(most_values) {
-    check_structure(document);
+      : document_(document), net_(net), most_values_(most_values), bundle_(document.phases, net) {
+    check_structure(document, net.sides());
   }
 
   [[nodiscard]] std::vector<Rule> rules() {
-    return {{.name = "most", .ask = [this] { check_most(); }, .may_be_open = true},
-            {.name = "least", .ask = [this] { check_least(); }, .may_be_open = true},
-            {.name = "eigenfunctions", .ask = [this] { check_eigenfunctions(); }, .may_be_open = true},
-            {.name = "enclosures", .ask = [this] { check_enclosures(document_); }}};
+    std::vector<Rule> rules{{.name = "most", .ask = [this] { check_most(); }, .may_be_open = true},
+                            {.name = "least", .ask = [this] { check_least(); }, .may_be_open = true},
+                            {.name = "eigenfunctions", .ask = [this] { check_eigenfunctions(); }, .may_be_open = true},
+                            {.name = "enclosures", .ask = [this] { check_enclosures(document_); }}};
+    if (has_phases()) rules.insert(rules.begin(), {.name = "phases", .ask = [this] { bundle_.check(); }});
+    return rules;
   }
 
  private:
+  [[nodiscard]] bool has_phases() const { return !document_.phases.empty(); }
+  /// How many negative eigenvalues there are for a count: with that of the constants, unless there are phases.
+  [[nodiscard]] std::size_t expected(Index count) const { return std::size_t{count} + (has_phases() ? 0 : 1); }
+
   /// Of each dart's triangle the row of what belongs to the dart, `numbers`, in the order of the file.
   [[nodiscard]] Inertia inertia(const std::vector<Index>& numbers, const std::vector<Index>& order,
                                 std::size_t factorisations) const {
@@ -190,7 +213,17 @@ class EigenvalueRules {
     for (std::size_t dart = 0; dart < numbers.size(); dart += 3)
       rows.push_back({place[numbers[dart]], place[numbers[dart + 1]], place[numbers[dart + 2]]});
     const auto multiplications = kMultiplications * static_cast<std::size_t>(most_values_);
-    return {std::move(rows), order.size(), multiplications / factorisations};
+    return {std::move(rows), order.size(), multiplications / factorisations, bundle_.values()};
+  }
+  /// Adds those of a triangle, by phases of what belongs to its darts.
+  void add(Inertia& sum, std::size_t triangle, const LocalForms& forms, const std::vector<mpq_class>& phases) {
+    if (phases.empty()) return sum.add(triangle, forms);
+    const auto turn = [&](std::size_t dart) -> const Inertia::Turn& {
+      const auto found = turns_.find(phases[dart]);
+      if (found != turns_.end()) return found->second;
+      return turns_.emplace(phases[dart], LineBundle::turn(phases[dart])).first->second;
+    };
+    sum.add(triangle, forms, {turn(3 * triangle), turn(3 * triangle + 1), turn(3 * triangle + 2)});
   }
   [[nodiscard]] HalvedNet halved_net() const {
     if (halved_size(document_.net, document_.halvings).triangles > kMostTriangles)
@@ -213,24 +246,29 @@ class EigenvalueRules {
             enclosure(R(z.m * z.m + norm(z.n))) / size};
   }
 
-  /// Lemma 34; λ_0 is one of those counted.
+  /// Lemma 34; λ_0 is one of those that the matrix counts.
   void check_most() {
     if (document_.at_most.empty()) return;
     const HalvedNet net = halved_net();
     // The side opposite to corner 0 is that of the second dart.
     std::vector<Index> opposite_sides;
     for (Index dart = 0; dart < net.side.size(); ++dart) opposite_sides.push_back(net.side[next(dart)]);
+    std::vector<mpq_class> phases;
+    if (has_phases()) {
+      const std::vector<mpq_class> of_sides = bundle_.of_sides(net, document_.halvings);
+      for (Index dart = 0; dart < net.side.size(); ++dart) phases.push_back(of_sides[next(dart)]);
+    }
     Inertia forms = inertia(opposite_sides, document_.side_order, document_.at_most.size());
     Interval constant;  // H
     each_triangle([&](std::size_t t, const FlatTriangle& triangle) {
-      forms.add(t, triangle.lower_forms());
+      add(forms, t, triangle.lower_forms(), phases);
       constant = max(constant, triangle.interpolation());
     });
     for (std::size_t i = 0; i < document_.at_most.size(); ++i) {
       const auto& [below, count, exact_sigma] = document_.at_most[i];
       const Interval sigma(exact_sigma);
       if (is_less(sigma, Interval(below) * (1 + constant * sigma)) != Answer::no ||
-          forms.negative(sigma, Inertia::Bound::at_most) > std::size_t{count} + 1)
+          forms.negative(sigma, Inertia::Bound::at_most) > expected(count))
         give_up("row " + number(i) + " of at_most is not proved");
     }
   }
@@ -238,11 +276,14 @@ class EigenvalueRules {
   /// Lemma 35.
   void check_least() {
     if (document_.at_least.empty()) return;
-    Inertia forms = inertia(halved_net().start, document_.vertex_order, document_.at_least.size());
-    each_triangle([&](std::size_t t, const FlatTriangle& triangle) { forms.add(t, triangle.upper_forms()); });
+    const HalvedNet net = halved_net();
+    Inertia forms = inertia(net.start, document_.vertex_order, document_.at_least.size());
+    std::vector<mpq_class> phases;
+    if (has_phases()) phases = bundle_.of_starts(net, document_.halvings);
+    each_triangle([&](std::size_t t, const FlatTriangle& triangle) { add(forms, t, triangle.upper_forms(), phases); });
     for (std::size_t i = 0; i < document_.at_least.size(); ++i) {
       const auto& [below, count] = document_.at_least[i];
-      if (forms.negative(Interval(below), Inertia::Bound::at_least) < std::size_t{count} + 1)
+      if (forms.negative(Interval(below), Inertia::Bound::at_least) < expected(count))
         give_up("row " + number(i) + " of at_least is not proved");
     }
   }
@@ -286,6 +327,8 @@ class EigenvalueRules {
   const Document& document_;
   NetRules<R>& net_;
   long most_values_;
+  LineBundle bundle_;
+  std::map<mpq_class, Inertia::Turn> turns_;
 };
 
 }  // namespace

@@ -40,23 +40,22 @@ HalvedNet halved(const NetStructure& net, Index halvings) {
   for (; halvings > 0; --halvings) {
     std::vector<Index> start(4 * opposite.size());
     std::vector<Index> beyond(start.size());
-    // The dart from a corner to the next midpoint, the first one of a triangle (corner, midpoint, midpoint before).
-    const auto first_half = [](Index dart) { return 12 * (dart / 3) + 3 * (dart % 3); };
     for (Index dart = 0; dart < opposite.size(); ++dart) {
       const Index own = first_half(dart);
       const Index inner = 12 * (dart / 3) + 9 + previous(dart) % 3;
       start[own] = result.start[dart];
       start[own + 1] = vertices + result.side[dart];
       start[own + 2] = start[inner] = vertices + result.side[previous(dart)];
-      beyond[own] = first_half(next(opposite[dart])) + 2;
+      beyond[own] = second_half(opposite[dart]);
       beyond[own + 2] = first_half(opposite[previous(dart)]);
       beyond[own + 1] = inner;
       beyond[inner] = own + 1;
     }
     vertices += static_cast<Index>(opposite.size() / 2);
-    result = {.side = numbers_of_sides(beyond), .start = std::move(start)};
+    result = {.side = numbers_of_sides(beyond), .start = std::move(start), .opposite = {}};
     opposite = std::move(beyond);
   }
+  result.opposite = std::move(opposite);
   return result;
 }
 

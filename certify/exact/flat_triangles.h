@@ -13,11 +13,18 @@ namespace epsnet::exact {
 /// On the hyperboloid, counterclockwise.
 using Corners = std::array<Vector, 3>;
 
-/// By dart of the halved triangles: the number of its side, and of the vertex where it starts.
+/// By dart of the halved triangles: the number of its side, of the vertex where it starts, and the opposite dart.
 struct HalvedNet {
   std::vector<Index> side;
   std::vector<Index> start;
+  std::vector<Index> opposite;
 };
+
+/// The dart from a corner to the next midpoint, the first one of a triangle (corner, midpoint, midpoint before).
+[[nodiscard]] inline Index first_half(Index dart) { return 12 * (dart / 3) + 3 * (dart % 3); }
+/// From a midpoint to the corner where the dart ends.
+[[nodiscard]] inline Index second_half(Index dart) { return first_half(next(dart)) + 2; }
+
 /// The rule `map` is verified.
 [[nodiscard]] HalvedNet halved(const NetStructure& net, Index halvings);
 

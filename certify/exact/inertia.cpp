@@ -34,13 +34,19 @@ Rounded rounded(const Interval& x) {
 
 }  // namespace
 
-Inertia::Inertia(std::vector<Rows> rows, std::size_t size, std::size_t most_operations)
-    : rows_(std::move(rows)), entries_(size), parent_(size, kNone), below_(size) {
+Inertia::Inertia(std::vector<Rows> rows, std::size_t functions, std::size_t most_operations, Values values)
+    : parts_(values == Values::real ? 1 : 2), rows_(std::move(rows)) {
+  const std::size_t size = parts_ * functions;
+  entries_.resize(size);
+  parent_.resize(size, kNone);
+  below_.resize(size);
   std::vector<std::vector<Index>> columns(size);
   for (std::size_t i = 0; i < size; ++i) columns[i].push_back(static_cast<Index>(i));
   for (const Rows& three : rows_) {
-    for (const Index row : three) {
-      for (const Index column : three) {
+    for (Index i = 0; i < 3 * parts_; ++i) {
+      const Index row = row_of(three[i / parts_], i % parts_);
+      for (Index j = 0; j < 3 * parts_; ++j) {
+        const Index column = row_of(three[j / parts_], j % parts_);
         if (column < row) columns[row].push_back(column);
       }
     }
@@ -78,19 +84,34 @@ void Inertia::find_columns(std::size_t most_operations) {
   }
 }
 
-Inertia::Entry& Inertia::entry(Index row, Index column) {
-  return *std::lower_bound(entries_[row].begin(), entries_[row].end(), column,
-                           [](const Entry& entry, Index k) { return entry.column < k; });
+void Inertia::add(Index row, Index column, const Interval& energy, const Interval& mass) {
+  if (row < column) return;
+  Entry& sum = *std::lower_bound(entries_[row].begin(), entries_[row].end(), column,
+                                 [](const Entry& entry, Index k) { return entry.column < k; });
+  sum.energy = sum.energy + energy;
+  sum.mass = sum.mass + mass;
 }
 
 void Inertia::add(std::size_t triangle, const LocalForms& forms) {
   const Rows& rows = rows_[triangle];
   for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) add(rows[i], rows[j], forms.energy[i][j], forms.mass[i][j]);
+  }
+}
+
+void Inertia::add(std::size_t triangle, const LocalForms& forms, const std::array<Turn, 3>& turns) {
+  const Rows& rows = rows_[triangle];
+  for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      if (rows[i] < rows[j]) continue;
-      Entry& sum = entry(rows[i], rows[j]);
-      sum.energy = sum.energy + forms.energy[i][j];
-      sum.mass = sum.mass + forms.mass[i][j];
+      // The number in row i and column j is that of the form times e^{i(φ_j − φ_i)}.
+      const Interval cosine = turns[i][0] * turns[j][0] + turns[i][1] * turns[j][1];
+      const Interval sine = turns[i][0] * turns[j][1] - turns[i][1] * turns[j][0];
+      for (Index part = 0; part < parts_; ++part) {
+        for (Index other = 0; other < parts_; ++other) {
+          const Interval factor = part == other ? cosine : part == 1 ? sine : -sine;
+          add(row_of(rows[i], part), row_of(rows[j], other), factor * forms.energy[i][j], factor * forms.mass[i][j]);
+        }
+      }
     }
   }
 }
@@ -195,7 +216,8 @@ class Inertia::Factorisation {
 std::size_t Inertia::negative(const Interval& sigma, Bound bound) const {
   const Factorisation factors(*this, sigma, bound);
   if (!factors.is_proved()) give_inertia_up();
-  return factors.negative();
+  // Each eigenvalue is there `parts_` times: half of the number, rounded to the better bound, which is an integer.
+  return (factors.negative() + (bound == Bound::at_least ? parts_ - 1 : 0)) / parts_;
 }
 
 }  // namespace epsnet::exact

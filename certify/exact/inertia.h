@@ -17,11 +17,19 @@ class Inertia {
  public:
   using Rows = std::array<Index, 3>;
 
+  /// Real: all e^{iφ} are 1 or −1. Complex: each row becomes two, that of the real part and that of the imaginary one.
+  enum class Values { real, complex };
+
   /// By triangle, the rows of its three functions, in the order of elimination. Throws LeftOut if one factorisation
   /// takes more than so many multiplications.
-  Inertia(std::vector<Rows> rows, std::size_t size, std::size_t most_operations);
+  Inertia(std::vector<Rows> rows, std::size_t size, std::size_t most_operations, Values values = Values::real);
 
   void add(std::size_t triangle, const LocalForms& forms);
+
+  /// (cos φ, sin φ)
+  using Turn = std::array<Interval, 2>;
+  /// The same of complex values, which are those of the rows times e^{iφ} of the three functions.
+  void add(std::size_t triangle, const LocalForms& forms, const std::array<Turn, 3>& turns);
 
   enum class Bound { at_most, at_least };
   /// A number n for which (a) holds, or (b): 𝒜 − σ𝒩 is negative definite on no subspace of more than n dimensions, or
@@ -40,9 +48,12 @@ class Inertia {
   /// Calls visit(k) for the columns k < i of row i of L with entries, in any order. `seen` is i for them afterwards.
   template <class Visit>
   void each_column(std::size_t i, std::vector<Index>& seen, const Visit& visit) const;
-  [[nodiscard]] Entry& entry(Index row, Index column);
+  [[nodiscard]] Index row_of(Index row, Index part) const { return parts_ * row + part; }
+  /// Nothing right of the diagonal.
+  void add(Index row, Index column, const Interval& energy, const Interval& mass);
   void find_columns(std::size_t most_operations);
 
+  Index parts_;  ///< Of each row: 1 or 2.
   std::vector<Rows> rows_;
   std::vector<std::vector<Entry>> entries_;  ///< By row, by column.
   std::vector<Index> parent_;                ///< By column of L: the first row below the diagonal with an entry.

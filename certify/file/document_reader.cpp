@@ -145,6 +145,8 @@ class Reader {
     });
   }
 
+  void read(std::string& text) { text = string("a string"); }
+
   void read(bool& truth) {
     constexpr const char* kExpected = "true or false";
     const std::string_view text = token(kExpected);

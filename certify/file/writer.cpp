@@ -199,6 +199,10 @@ class Writer {
     return list.indices.empty();
   }
   template <class T>
+  static bool is_empty(const std::vector<T>& list) {
+    return list.empty();
+  }
+  template <class T>
   static bool is_empty(const std::optional<T>& value) {
     return !value.has_value();
   }

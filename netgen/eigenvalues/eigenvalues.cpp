@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -17,6 +20,7 @@
 #include "netgen/eigenvalues/local_functions.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/characters.h"
 
 namespace epsnet {
 namespace {
@@ -29,15 +33,22 @@ constexpr std::uint32_t kMostCount = 1000;
 constexpr int kMostDigits = 10;
 /// Functions around vertices are no farther from them than 1.7 times that.
 constexpr double kGreatestEpsilon = 1;
-/// So many digits are got by matrices alone.
+/// So many digits are got by matrices alone; with phases, at most.
 constexpr int kDigitsOfMatrices = 2;
+constexpr int kMostDigitsWithPhases = 3;
+/// With phases, what is less is enclosed by an interval that begins with 0.
+constexpr double kNearZero = 1e-6;
 constexpr double kMostTriangles = 1e7;
 constexpr const char* kRounding =
     "rounding errors are too large in triangles as thin as those around a closed geodesic that is so short";
 
 [[nodiscard]] bool many_digits(const EigenvaluesOptions& options) {
-  return options.digits.value_or(options.below ? 1 : 9) > kDigitsOfMatrices;
+  return options.phases.empty() && options.digits.value_or(options.below ? 1 : 9) > kDigitsOfMatrices;
 }
+
+/// Of the first eigenvalues of the matrices, so many are not those of a document: that of the constant functions, which
+/// are no functions with phases.
+[[nodiscard]] std::uint32_t left_out(const EigenvaluesOptions& options) { return options.phases.empty() ? 1 : 0; }
 
 void check(const EigenvaluesOptions& options, std::uint32_t genus) {
   if (options.count < 1 || options.count > kMostCount) throw std::invalid_argument("count is not from 1 to 1000");
@@ -45,6 +56,8 @@ void check(const EigenvaluesOptions& options, std::uint32_t genus) {
     throw std::invalid_argument("below is not a positive number of at most 10000");
   if (options.digits && (*options.digits < 1 || *options.digits > kMostDigits))
     throw std::invalid_argument("digits is not from 1 to 10");
+  if (!options.phases.empty() && options.digits.value_or(kDigitsOfMatrices) > kMostDigitsWithPhases)
+    throw std::invalid_argument("digits is not from 1 to 3, and with phases there are no more");
   if (!options.epsilon) return;
   const auto epsilon = static_cast<double>(options.epsilon->value());
   if (many_digits(options) && epsilon > kGreatestEpsilon)
@@ -54,15 +67,20 @@ void check(const EigenvaluesOptions& options, std::uint32_t genus) {
   if (triangles > kMostTriangles) throw NetError("epsilon is so small that a net has more than 10000000 triangles");
 }
 
-/// The triangles at one size, and what their matrices say of the first eigenvalues, by index from λ₁ on.
+/// In which the rows of the matrices are eliminated. The same for all phases.
+struct Orders {
+  std::vector<std::uint32_t> sides;
+  std::vector<std::uint32_t> vertices;
+};
+
+/// The triangles at one size, and what their matrices say of the first eigenvalues, those that are left out excepted.
 struct Level {
-  Level(const NetGeometry& geometry, std::uint32_t times)
+  /// With phases `turns` are those of the labels.
+  Level(const NetGeometry& geometry, std::uint32_t times, const std::vector<double>& turns)
       : halvings(times),
-        elements(geometry, times),
+        elements(geometry, times, turns),
         lower(elements.lower()),
         upper(elements.upper()),
-        side_order(elimination_order(lower.energy)),
-        vertex_order(elimination_order(upper.energy)),
         interpolation(elements.interpolation()) {}
 
   /// σ for which the eigenvalues that are counted are those less than τ.
@@ -75,13 +93,12 @@ struct Level {
   Elements elements;
   ElementMatrices lower;
   ElementMatrices upper;
-  std::vector<std::uint32_t> side_order;
-  std::vector<std::uint32_t> vertex_order;
   double interpolation;
-  std::vector<double> least;      ///< λ_k is at least that,
-  std::vector<double> greatest;   ///< at most that,
-  std::vector<double> estimates;  ///< and about that.
-  Eigen::MatrixXd vectors;        ///< By vertex and k.
+  std::shared_ptr<const Orders> orders = {};
+  std::vector<double> least = {};      ///< λ_k is at least that,
+  std::vector<double> greatest = {};   ///< at most that,
+  std::vector<double> estimates = {};  ///< and about that.
+  Eigen::MatrixXd vectors = {};        ///< By vertex and k; without phases.
 };
 
 /// Eigenvalues k = first, …, last − 1 that are near each other, as places in the lists of a level.
@@ -90,40 +107,53 @@ struct Group {
   std::size_t last;
 };
 
-class Search {
+/// What searches on one surface share: the net, and orders of elimination.
+class SharedNet {
  public:
-  Search(const Surface& surface, const EigenvaluesOptions& options) : surface_(surface), options_(options) {
-    set_net(options.epsilon.value_or(epsilon_for(surface.genus(), options)));
+  SharedNet(const Surface& surface, const EigenvaluesOptions& options) : surface_(surface), options_(options) {
+    set(options.epsilon.value_or(epsilon_for(surface.genus(), options)));
   }
 
-  [[nodiscard]] EigenvaluesDocument result() && {
-    const bool functions_too = many_digits(options_);
-    if (options_.below && !options_.digits) {
-      count_below();
-    } else {
-      const Level level = separated(functions_too);
-      const std::vector<Group> groups = groups_of(level, functions_too);
-      std::vector<std::optional<std::vector<Eigenfunctions>>> rows(groups.size());
-      if (functions_too) rows = functions(level, groups);
-      write(level, groups, rows);
-    }
-    return std::move(document_);
-  }
-
- private:
-  void set_net(const Length& epsilon) {
+  /// Not while a search is running.
+  void set(const Length& epsilon) {
     NetOptions net_options;
     net_options.threads = options_.threads;
     // A second net is a part of making the matrices.
     net_options.progress = [&](std::string_view what, double share) {
-      geometry_ ? report("matrices", 0) : report(what, share);
+      geometry_ ? report_matrices() : report(what, share);
     };
     certify::NetDocument net = compute_net(surface_, epsilon, net_options).document;
     geometry_.reset();
-    document_.net = std::move(net);
-    geometry_.emplace(document_.net);
+    orders_.clear();
+    document_ = std::move(net);
+    geometry_.emplace(document_);
+  }
+  [[nodiscard]] const certify::NetDocument& document() const { return document_; }
+  [[nodiscard]] const NetGeometry& geometry() const { return *geometry_; }
+
+  /// The orders for the matrices of a level.
+  [[nodiscard]] std::shared_ptr<const Orders> orders(const Level& level) {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<const Orders>& known = orders_[level.halvings];
+    if (!known) {
+      known = std::make_shared<const Orders>(
+          Orders{elimination_order(level.lower.energy), elimination_order(level.upper.energy)});
+    }
+    return known;
   }
 
+  void report(std::string_view what, double share) {
+    const std::lock_guard lock(reporting_);
+    if (options_.progress) options_.progress(what, share);
+  }
+  /// Reports the share of the characters for which the work is done; it never goes back.
+  void report_matrices(double share = 0) {
+    const std::lock_guard lock(reporting_);
+    share_ = std::max(share_, share);
+    if (options_.progress) options_.progress("matrices", share_);
+  }
+
+ private:
   /// Functions around vertices are sought in disks of which λ is no eigenvalue.
   static Length epsilon_for(std::uint32_t genus, const EigenvaluesOptions& options) {
     const double by_weyl = options.count / (genus - 1.0) + 3;
@@ -142,82 +172,138 @@ class Search {
     return Length(kLengths.back().second);
   }
 
-  void report(std::string_view what, double share) const {
-    if (options_.progress) options_.progress(what, share);
+  const Surface& surface_;
+  const EigenvaluesOptions& options_;
+  certify::NetDocument document_;
+  std::optional<NetGeometry> geometry_;
+  std::mutex mutex_;
+  std::map<std::uint32_t, std::shared_ptr<const Orders>> orders_;  ///< By halvings.
+  std::mutex reporting_;
+  double share_ = 0;
+};
+
+/// The search for the eigenvalues of functions, or for one character.
+class Search {
+ public:
+  Search(SharedNet& net, const EigenvaluesOptions& options, const ById<SideId, Rational>& phases, unsigned threads)
+      : net_(net),
+        options_(options),
+        phases_(phases),
+        threads_(threads),
+        left_out_(left_out(options)),
+        // As the last ones may be equal.
+        more_(std::max(8U, options.count / 4)) {}
+
+  /// Goes on at the present size of triangles: until the document is there but for its net, or smaller ones are needed.
+  void run() {
+    if (!phases_.empty() && turns_.empty()) set_turns();
+    if (options_.below && !options_.digits) return count_below();
+    const bool functions_too = many_digits(options_);
+    while (!done_ && excess_ <= 1) {
+      const std::optional<Level> level = separated(functions_too);
+      if (!level) continue;
+      const std::vector<Group> groups = groups_of(*level, functions_too);
+      std::vector<std::optional<std::vector<Eigenfunctions>>> rows(groups.size());
+      if (functions_too) rows = functions(*level, groups);
+      write(*level, groups, rows);
+    }
+  }
+
+  [[nodiscard]] bool is_done() const { return done_; }
+  /// How much narrower enclosures must be; at most 1 if that is not known.
+  [[nodiscard]] double excess() const { return excess_; }
+  [[nodiscard]] std::uint32_t halvings() const { return halvings_; }
+  /// Begins again with triangles of another size.
+  void continue_with(std::uint32_t halvings) {
+    halvings_ = halvings;
+    excess_ = 0;
+    done_ = false;
+    turns_.clear();
+    document_ = {};
+  }
+  [[nodiscard]] EigenvaluesDocument document() {
+    EigenvaluesDocument result = std::move(document_);
+    result.net = net_.document();
+    return result;
+  }
+
+ private:
+  void set_turns() {
+    turns_ = {0};
+    for (const certify::NetDocument::Label& label : net_.document().labels)
+      turns_.push_back(phase_of_word(phases_, label.word));
   }
 
   [[nodiscard]] Level level(std::uint32_t halvings) const {
-    const double triangles = static_cast<double>(document_.net.triangles.size()) * std::pow(4.0, halvings);
+    const double triangles = static_cast<double>(net_.document().triangles.size()) * std::pow(4.0, halvings);
     if (triangles > kMostTriangles) {
       throw NetError(
           "the eigenvalues are so near to each other that to tell them apart takes more than 10000000 "
           "triangles");
     }
-    report("matrices", 0);
-    Level result(*geometry_, halvings);
+    net_.report_matrices();
+    Level result(net_.geometry(), halvings, turns_);
     if (!std::isfinite(result.interpolation)) throw NetError(kRounding);
+    result.orders = net_.orders(result);
     return result;
   }
 
-  /// A level at which so many eigenvalues are told from the others, and enclosed as narrowly as is asked for.
-  [[nodiscard]] Level separated(bool functions_too) {
-    std::vector<double> before;
-    std::uint32_t halvings = 0;
-    // As the last ones may be equal.
-    std::uint32_t more = std::max(8U, options_.count / 4);
-    for (;;) {
-      Level now = level(halvings);
-      std::uint32_t count = options_.count;
-      if (options_.below) {
-        const certify::Inertia below =
-            inertia(now.upper, now.vertex_order, *options_.below, certify::Bound::lower, options_.threads);
-        count = std::max(below.negative, 2U) - 1;
-      }
-      const std::uint32_t asked = count + more;
-      if (now.elements.vertices() < 4 * asked) {
-        ++halvings;
-        continue;
-      }
-      bound(now, asked, before);
-      const auto end = end_of(now, count, functions_too);
-      const double excess = end ? excess_of(now, *end, functions_too) : HUGE_VAL;
-      if (excess <= 1) {
-        now.least.resize(*end + 1);
-        now.greatest.resize(*end + 1);
-        now.estimates.resize(*end + 1);
-        return now;
-      }
-      before = now.greatest;
-      if (!end) {
-        ++halvings;
-        more += std::max(8U, count / 4);
-      } else if (functions_too) {
-        ++halvings;
-      } else {
-        // Those that are told from the others will be so by smaller triangles.
-        more = std::max(static_cast<std::uint32_t>(*end), count) + 2 - count;
-        halvings = finer(halvings, excess);
-      }
+  /// A level at which so many eigenvalues are told from the others, and enclosed as narrowly as is asked for; nothing
+  /// if the present one is not.
+  [[nodiscard]] std::optional<Level> separated(bool functions_too) {
+    Level now = level(halvings_);
+    std::uint32_t count = options_.count;
+    if (options_.below) {
+      const certify::Inertia below =
+          inertia(now.upper, now.orders->vertices, *options_.below, certify::Bound::lower, threads_);
+      count = std::max(below.negative, left_out_ + 1) - left_out_;
     }
+    const std::uint32_t asked = count + more_;
+    if (now.elements.vertices() < 4 * asked) {
+      ++halvings_;
+      return std::nullopt;
+    }
+    bound(now, asked);
+    const auto end = end_of(now, count, functions_too);
+    const double excess = end ? excess_of(now, *end, functions_too) : HUGE_VAL;
+    if (excess <= 1) {
+      now.least.resize(*end + 1);
+      now.greatest.resize(*end + 1);
+      now.estimates.resize(*end + 1);
+      return now;
+    }
+    before_ = now.greatest;
+    if (!end) {
+      ++halvings_;
+      more_ += std::max(8U, count / 4);
+    } else if (functions_too) {
+      ++halvings_;
+    } else {
+      // Those that are told from the others will be so by smaller triangles.
+      more_ = std::max(static_cast<std::uint32_t>(*end), count) + 2 - count;
+      excess_ = excess;
+    }
+    return std::nullopt;
   }
 
-  /// Sets what the matrices of a level say of the first eigenvalues; `before` is at most what those say that were
-  /// halved once less.
-  void bound(Level& now, std::uint32_t asked, const std::vector<double>& before) const {
+  /// Sets what the matrices of a level say of the first eigenvalues.
+  void bound(Level& now, std::uint32_t asked) const {
     std::array<DiscreteSpectrum, 2> spectra;
-    certify::for_each_parallel(spectra.size(), certify::thread_count(options_.threads), [&](unsigned, std::size_t i) {
-      spectra[i] = i == 0 ? first_eigenvalues(now.lower, now.side_order, asked + 1)
-                          : first_eigenvalues(now.upper, now.vertex_order, asked + 1);
+    certify::for_each_parallel(spectra.size(), threads_, [&](unsigned, std::size_t i) {
+      spectra[i] = i == 0 ? first_eigenvalues(now.lower, now.orders->sides, asked + left_out_)
+                          : first_eigenvalues(now.upper, now.orders->vertices, asked + left_out_);
     });
     const auto& [lower, upper] = spectra;
-    for (std::size_t k = 1; k <= asked; ++k) {
-      now.least.push_back(lower.values[k] / (1 + now.interpolation * lower.values[k]));
-      now.greatest.push_back(upper.values[k]);
+    for (std::size_t k = 0; k < asked; ++k) {
+      const double mu = lower.values[k + left_out_];
+      const double greatest = upper.values[k + left_out_];
+      now.least.push_back(mu / (1 + now.interpolation * mu));
+      now.greatest.push_back(greatest);
       // The error of the matrices is divided by four with each halving.
-      const double above = k <= before.size() ? (4 * upper.values[k] - before[k - 1]) / 3 : upper.values[k];
-      now.estimates.push_back(std::clamp(above, now.least.back(), now.greatest.back()));
+      const double above = k < before_.size() ? (4 * greatest - before_[k]) / 3 : greatest;
+      now.estimates.push_back(std::clamp(above, now.least.back(), std::max(now.least.back(), greatest)));
     }
-    now.vectors = upper.vectors.rightCols(upper.vectors.cols() - 1);
+    if (phases_.empty()) now.vectors = upper.vectors.rightCols(upper.vectors.cols() - 1);
   }
 
   /// How much wider than is asked for the widest of the first n enclosures is.
@@ -225,29 +311,13 @@ class Search {
     if (n == 0) return 0;
     double widest = 0;
     // Functions are sought from estimates.
-    for (std::size_t k = functions_too ? n - 1 : 0; k < n; ++k)
+    for (std::size_t k = functions_too ? n - 1 : 0; k < n; ++k) {
+      if (!phases_.empty() && now.greatest[k] < kNearZero) continue;
       widest = std::max(widest, (now.greatest[k] - now.least[k]) / now.least[k]);
+    }
     // What matrices say is stated with a margin on both sides.
     return functions_too ? widest / kGreatestError
-                         : (widest + 2 * kMargin) * std::pow(10.0, options_.digits.value_or(1));
-  }
-
-  /// Makes triangles so small that enclosures, which are as wide as triangles are large, are narrower by about this
-  /// factor, or some of it. Halving alone may make four times as many as are needed; so the net becomes finer, if it
-  /// may. Returns how often they are to be halved.
-  [[nodiscard]] std::uint32_t finer(std::uint32_t halvings, double factor) {
-    constexpr double kMost = 12;  // Predictions from large triangles are bad.
-    constexpr double kRoom = 1.1;
-    // Nearly as much as halving once more.
-    constexpr double kByNet = 3;
-    double rest = std::min(options_.epsilon ? factor : kRoom * factor, kMost);
-    for (; rest > (options_.epsilon ? 1 : kByNet); rest /= 4) ++halvings;
-    if (rest > 1) {
-      // A decimal of few digits.
-      constexpr double kDigits = 1e4;
-      set_net(Length(std::floor(geometry_->epsilon().get_d() / std::sqrt(rest) * kDigits) / kDigits));
-    }
-    return halvings;
+                         : (widest + 2 * kMargin) * std::pow(10.0, options_.digits.value_or(kDigitsOfMatrices));
   }
 
   /// The number of the first eigenvalues that are told from all others: the least one that is enough.
@@ -291,15 +361,14 @@ class Search {
     std::vector<std::optional<std::vector<Eigenfunctions>>> result(groups.size());
     if (groups.empty()) return result;
     // Groups in parallel; threads that are left over, in each of them.
-    const unsigned threads = certify::thread_count(options_.threads);
-    const auto in_each = std::max(1U, threads / static_cast<unsigned>(groups.size()));
-    const LocalFunctions local(*geometry_, level.estimates.back(), options_.digits.value_or(9), in_each);
+    const auto in_each = std::max(1U, threads_ / static_cast<unsigned>(groups.size()));
+    const LocalFunctions local(net_.geometry(), level.estimates.back(), options_.digits.value_or(9), in_each);
     std::size_t done = 0;
     std::mutex reporting;
-    certify::for_each_parallel(groups.size(), threads, [&](unsigned, std::size_t i) {
+    certify::for_each_parallel(groups.size(), threads_, [&](unsigned, std::size_t i) {
       result[i] = functions(level, groups[i], local);
       const std::lock_guard lock(reporting);
-      report("eigenfunctions", static_cast<double>(++done) / static_cast<double>(groups.size()));
+      net_.report("eigenfunctions", static_cast<double>(++done) / static_cast<double>(groups.size()));
     });
     return result;
   }
@@ -307,7 +376,7 @@ class Search {
   /// Nothing unless all are found.
   [[nodiscard]] std::optional<std::vector<Eigenfunctions>> functions(const Level& level, const Group& group,
                                                                      const LocalFunctions& local) const {
-    const auto vertices = static_cast<Eigen::Index>(document_.net.vertices.size());
+    const auto vertices = static_cast<Eigen::Index>(net_.document().vertices.size());
     const auto [first, last] = group;
     const std::vector<double> lambdas(level.estimates.begin() + static_cast<std::ptrdiff_t>(first),
                                       level.estimates.begin() + static_cast<std::ptrdiff_t>(last));
@@ -373,7 +442,7 @@ class Search {
       if (part.functions) {
         document_.eigenfunctions.push_back(*std::move(part.functions));
       } else {
-        at_most(level, part.in.lower, part.first);
+        if (part.in.lower > 0) at_most(level, part.in.lower, part.first);
         at_least(part.in.upper, part.last);
       }
       document_.eigenvalues.push_back({part.in, static_cast<std::uint32_t>(part.last - part.first)});
@@ -401,12 +470,11 @@ class Search {
       const Level now = level(halvings);
       const double sigma = now.sigma(below);
       if (!std::isfinite(sigma)) continue;
-      const certify::Inertia least =
-          inertia(now.upper, now.vertex_order, below, certify::Bound::lower, options_.threads);
-      // 0 is less.
-      const std::uint32_t certainly = least.proved ? std::max(least.negative, 1U) : 1;
+      const certify::Inertia least = inertia(now.upper, now.orders->vertices, below, certify::Bound::lower, threads_);
+      // 0 is less, if it is left out.
+      const std::uint32_t certainly = least.proved ? std::max(least.negative, left_out_) : left_out_;
       const certify::Inertia most =
-          inertia(now.lower, now.side_order, sigma, certify::Bound::upper, options_.threads, certainly);
+          inertia(now.lower, now.orders->sides, sigma, certify::Bound::upper, threads_, certainly);
       if (!most.proved) continue;
       if (most.negative > certainly) {
         // Smaller triangles have more rows with pivots that are near 0.
@@ -415,7 +483,7 @@ class Search {
         before = most.negative - certainly;
         continue;
       }
-      const std::size_t count = certainly - 1;
+      const std::size_t count = certainly - left_out_;
       at_most(now, below, count);
       if (count > 0) {
         at_least(below, count);
@@ -426,31 +494,35 @@ class Search {
     }
   }
 
-  /// A number that λ_{k + 1} is at least, which `certify` can prove: near the bound of the matrices, and more than
-  /// `from`, which that is. Where a pivot is too near 0 for a proof, or λ is so small that
-  /// rounding counts, a number beside serves.
+  /// A number that all but the first k are at least, which `certify` can prove: near the bound of the matrices, and
+  /// more than `from`, which that is. Where a pivot is too near 0 for a proof, or λ is so small that rounding counts, a
+  /// number beside serves.
   [[nodiscard]] double proved_least(const Level& level, std::size_t k, double from) const {
     const double bound = level.least[k];
+    if (!phases_.empty() && bound < kNearZero) return 0;
+    const std::uint64_t most = k + left_out_;
     double below = 0;
     double margin = kMargin;
     for (int i = 1; i <= kMostTrials; ++i, margin *= 4) {
       below = bound - std::min(margin * bound, (bound - from) * i / (i + 1));
       const certify::Inertia found =
-          inertia(level.lower, level.side_order, level.sigma(below), certify::Bound::upper, options_.threads, k + 1);
-      if (found.proved && found.negative <= k + 1) break;
+          inertia(level.lower, level.orders->sides, level.sigma(below), certify::Bound::upper, threads_, most);
+      if (found.proved && found.negative <= most) break;
     }
     return below;
   }
 
-  /// The same for a number that λ_k is less than.
+  /// The same for a number that the first k are less than.
   [[nodiscard]] double proved_greatest(const Level& level, std::size_t k) const {
+    const double bound = phases_.empty() ? level.greatest[k - 1] : std::max(level.greatest[k - 1], kNearZero);
+    const std::uint64_t least = k + left_out_;
     double below = 0;
     double margin = kMargin;
     for (int i = 1; i <= kMostTrials; ++i, margin *= 4) {
-      below = level.greatest[k - 1] * (1 + margin);
+      below = bound * (1 + margin);
       const certify::Inertia found =
-          inertia(level.upper, level.vertex_order, below, certify::Bound::lower, options_.threads, k + 1);
-      if (found.proved && found.negative >= k + 1) break;
+          inertia(level.upper, level.orders->vertices, below, certify::Bound::lower, threads_, least);
+      if (found.proved && found.negative >= least) break;
     }
     return below;
   }
@@ -464,8 +536,10 @@ class Search {
 
   void finish(const Level& level) {
     document_.halvings = level.halvings;
-    document_.side_order = level.side_order;
-    if (!document_.at_least.empty()) document_.vertex_order = level.vertex_order;
+    document_.side_order = level.orders->sides;
+    if (!document_.at_least.empty()) document_.vertex_order = level.orders->vertices;
+    for (const Rational& phase : phases_) document_.phases.push_back(phase.str());
+    done_ = true;
   }
 
   static constexpr int kMostTrials = 5;
@@ -473,21 +547,136 @@ class Search {
   static constexpr double kError = 0.01;          ///< Relative, of estimates.
   static constexpr double kGreatestError = 0.12;  ///< Between the matrices' bounds.
 
-  const Surface& surface_;
+  SharedNet& net_;
   const EigenvaluesOptions& options_;
-  EigenvaluesDocument document_;
-  std::optional<NetGeometry> geometry_;  ///< Of the document's net.
+  const ById<SideId, Rational>& phases_;  ///< Empty for functions on the surface.
+  unsigned threads_;
+  std::uint32_t left_out_;
+  std::uint32_t more_;          ///< Eigenvalues that are computed beyond those that are asked for.
+  std::uint32_t halvings_ = 0;  ///< Of the present level.
+  std::vector<double> turns_;   ///< By label, its phase.
+  std::vector<double> before_;  ///< About what the matrices say that were halved once less: at most that.
+  double excess_ = 0;
+  bool done_ = false;
+  EigenvaluesDocument document_;  ///< Without its net.
 };
+
+/// Makes triangles so small that enclosures, which are as wide as triangles are large, are narrower by about this
+/// factor, or some of it. Halving alone may make four times as many as are needed; so the net becomes finer, if it may.
+/// Returns how often they are to be halved, and the factor that is left to a net.
+std::pair<std::uint32_t, double> finer(std::uint32_t halvings, double factor, bool net_may) {
+  constexpr double kMost = 12;  // Predictions from large triangles are bad.
+  constexpr double kRoom = 1.1;
+  // Nearly as much as halving once more.
+  constexpr double kByNet = 3;
+  double rest = std::min(net_may ? kRoom * factor : factor, kMost);
+  for (; rest > (net_may ? kByNet : 1); rest /= 4) ++halvings;
+  return {halvings, std::max(rest, 1.0)};
+}
+
+/// Runs searches that share a net until all are done.
+void run_all(SharedNet& net, std::vector<Search>& searches, const EigenvaluesOptions& options) {
+  const unsigned threads = certify::thread_count(options.threads);
+  for (;;) {
+    std::vector<Search*> open;
+    for (Search& search : searches) {
+      if (!search.is_done()) open.push_back(&search);
+    }
+    if (open.empty()) return;
+    std::atomic<std::size_t> ended = searches.size() - open.size();
+    certify::for_each_parallel(open.size(), threads, [&](unsigned, std::size_t i) {
+      open[i]->run();
+      if (open[i]->is_done() && searches.size() > 1)
+        net.report_matrices(static_cast<double>(++ended) / static_cast<double>(searches.size()));
+    });
+    std::vector<Search*> coarse;
+    double excess = 1;
+    for (Search* search : open) {
+      if (search->excess() <= 1) continue;
+      coarse.push_back(search);
+      excess = std::max(excess, search->excess());
+    }
+    if (coarse.empty()) continue;
+    // A finer net is one for all.
+    constexpr std::size_t kFew = 8;
+    const bool net_may = !options.epsilon && kFew * coarse.size() >= searches.size();
+    const auto [halvings, rest] = finer(coarse.front()->halvings(), excess, net_may);
+    if (net_may && rest > 1) {
+      // A decimal of few digits.
+      constexpr double kDigits = 1e4;
+      net.set(Length(std::floor(net.geometry().epsilon().get_d() / std::sqrt(rest) * kDigits) / kDigits));
+      for (Search& search : searches) search.continue_with(halvings);
+    } else {
+      for (Search* search : coarse) search->continue_with(finer(search->halvings(), search->excess(), false).first);
+    }
+  }
+}
 
 }  // namespace
 
 EigenvaluesDocument unproved::eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
   check(options, surface.genus());
-  return Search(surface, options).result();
+  const ById<SideId, Rational> phases =
+      options.phases.empty() ? ById<SideId, Rational>() : phases_of_sides(surface, options.phases);
+  SharedNet net(surface, options);
+  std::vector<Search> searches;
+  searches.emplace_back(net, options, phases, certify::thread_count(options.threads));
+  run_all(net, searches, options);
+  return searches.front().document();
 }
 
 Certified<EigenvaluesDocument> eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
   return proved(unproved::eigenvalues(surface, options), options.threads, options.progress);
+}
+
+std::vector<TorusPoint> torus_path(const std::vector<TorusPoint>& corners, std::uint32_t steps) {
+  if (corners.empty()) throw std::invalid_argument("a path has no corner");
+  if (steps == 0) throw std::invalid_argument("steps is not positive");
+  std::vector<TorusPoint> result{corners.front()};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const TorusPoint& from = corners[i - 1];
+    const TorusPoint& to = corners[i];
+    if (from.size() != to.size()) throw std::invalid_argument("points of a path have different numbers of phases");
+    for (std::uint32_t step = 1; step <= steps; ++step) {
+      TorusPoint& point = result.emplace_back();
+      for (std::size_t j = 0; j < from.size(); ++j)
+        point.push_back(from[j] + (to[j] - from[j]) * Rational(step) / steps);
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<Interval>> bands(const Surface& surface, const std::vector<TorusPoint>& points,
+                                         const BandsOptions& options) {
+  std::vector<std::vector<Interval>> result(points.size());
+  if (points.empty()) return result;
+  EigenvaluesOptions of_each{.count = options.count,
+                             .digits = options.digits.value_or(kDigitsOfMatrices),
+                             .epsilon = options.epsilon,
+                             .phases = points.front(),
+                             .threads = options.threads,
+                             .progress = options.progress};
+  check(of_each, surface.genus());
+  std::vector<ById<SideId, Rational>> phases;
+  for (const TorusPoint& point : points) phases.push_back(phases_of_sides(surface, point));
+  SharedNet net(surface, of_each);
+  const unsigned threads = certify::thread_count(options.threads);
+  const auto in_each = static_cast<unsigned>(std::max<std::size_t>(1, threads / points.size()));
+  std::vector<Search> searches;
+  for (const ById<SideId, Rational>& of_point : phases) searches.emplace_back(net, of_each, of_point, in_each);
+  run_all(net, searches, of_each);
+  std::mutex mutex;
+  std::size_t done = 0;
+  certify::for_each_parallel(points.size(), threads, [&](unsigned, std::size_t i) {
+    const EigenvaluesDocument document = searches[i].document();
+    (void)proof_of(document, in_each);
+    for (const auto& [in, count] : document.eigenvalues)
+      result[i].insert(result[i].end(), std::min<std::size_t>(count, options.count - result[i].size()), in);
+    const std::lock_guard lock(mutex);
+    if (options.each) options.each(i, document);
+    net.report("certificates", static_cast<double>(++done) / static_cast<double>(points.size()));
+  });
+  return result;
 }
 
 }  // namespace epsnet

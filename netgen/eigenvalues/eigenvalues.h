@@ -1,15 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "certify/base/interval.h"
 #include "certify/claims/eigenvalues/document.h"
+#include "kernel/numbers.h"
 #include "netgen/base/options.h"
 #include "netgen/prove/certified.h"
 #include "triangulation/surface/surface.h"
 
-/// The first eigenvalues of the Laplacian of a surface, counted by a net. docs/eigenvalues.md says how and why.
+/// The first eigenvalues of the Laplacian of a surface, counted by a net, of functions or with phases.
+/// docs/eigenvalues.md says how and why.
 namespace epsnet {
 
 /// Options of the search for eigenvalues.
@@ -21,16 +26,20 @@ struct EigenvaluesOptions {
   /// matrices alone enclose them, which takes much less time than functions.
   std::optional<int> digits = {};
   std::optional<Length> epsilon = {};  ///< Of the net; by default it is chosen, at most 0.6.
-  unsigned threads = 0;                ///< 0: as many as the machine has cores. The result is the same for any number.
-  Progress progress = {};              ///< Called occasionally, if given.
+  /// Not empty: the character χ of these phases (netgen/surfaces/characters.h), 2g numbers of turns. The eigenvalues
+  /// are those of functions on the plane with f(γz) = χ(γ) f(z), from λ₀(χ) on, which is 0 for χ = 1 alone; `digits` is
+  /// at most 3, and 2 by default.
+  std::vector<Rational> phases = {};
+  unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
+  Progress progress = {};  ///< Called occasionally, if given.
 };
 
-/// Returns intervals with the first eigenvalues, from λ₁ on, and what proves them. Deterministic.
+/// Returns intervals with the first eigenvalues, from λ₁ on, or λ₀(χ) with phases, and what proves them. Deterministic.
 ///
 /// Throws NetError if the net cannot be made or the eigenvalues are not found; NotCertifiedError, which is one, if the
 /// proof fails; LimitError if the surface is beyond the
-/// numbers of the generator, or it takes more than about 10⁷ triangles; std::invalid_argument if an option is out of
-/// range.
+/// numbers of the generator, or it takes more than about 10⁷ triangles; CharacterError if there are not 2g phases;
+/// std::invalid_argument if an option is out of range.
 [[nodiscard]] Certified<certify::EigenvaluesDocument> eigenvalues(const Surface& surface,
                                                                   const EigenvaluesOptions& options = {});
 
@@ -40,5 +49,32 @@ namespace unproved {
 [[nodiscard]] certify::EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options = {});
 
 }  // namespace unproved
+
+// Bands: the eigenvalues λ₀(χ) ≤ λ₁(χ) ≤ … as functions of χ, at points of the torus of all characters.
+
+/// The phases of a character: 2g numbers of turns.
+using TorusPoint = std::vector<Rational>;
+
+/// Options of `bands`.
+struct BandsOptions {
+  std::uint32_t count = 4;             ///< The first so many eigenvalues.
+  std::optional<int> digits = {};      ///< About so many significant digits of each, from 1 to 3; 2 by default.
+  std::optional<Length> epsilon = {};  ///< Of the net; by default it is chosen.
+  unsigned threads = 0;                ///< 0: as many as the machine has cores. The result is the same for any number.
+  Progress progress = {};              ///< Called occasionally, if given.
+  /// Called for each point with its number and its document, which is proved, one after the other in any order.
+  std::function<void(std::size_t, const certify::EigenvaluesDocument&)> each = {};
+};
+
+/// Returns the points of a path through the torus: the corners, and between neighbours so many steps of equal length.
+/// Throws std::invalid_argument if there is no corner or no step, or if corners have different numbers of phases.
+[[nodiscard]] std::vector<TorusPoint> torus_path(const std::vector<TorusPoint>& corners, std::uint32_t steps);
+
+/// Returns by point an interval that contains λ₀(χ), one that contains λ₁(χ), …, `count` of them. Several are in one
+/// interval where they are not told apart. The points share one net, and each has a document that is proved.
+/// Deterministic. Throws as `eigenvalues`.
+[[nodiscard]] std::vector<std::vector<certify::Interval>> bands(const Surface& surface,
+                                                                const std::vector<TorusPoint>& points,
+                                                                const BandsOptions& options = {});
 
 }  // namespace epsnet

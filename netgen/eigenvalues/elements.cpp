@@ -1,18 +1,23 @@
 #include "netgen/eigenvalues/elements.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <new>
+#include <numbers>
 #include <numeric>
+#include <random>
 #include <utility>
 
 #ifndef __EMSCRIPTEN__
 #include <metis.h>
 #endif
 
+#include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/nets/certified_net.h"
 
@@ -40,6 +45,8 @@ struct Triangle {
   std::array<Triple, 3> point;
   std::array<std::uint32_t, 3> vertex;
   std::array<std::uint32_t, 3> opposite;  ///< By dart.
+  /// A function has in corner i, seen from the triangle, its value at the vertex times e^{2πi turns[i]}.
+  Triple turns;
 };
 
 std::vector<std::uint32_t> sides_of(const std::vector<Triangle>& triangles) {
@@ -52,25 +59,37 @@ std::vector<std::uint32_t> sides_of(const std::vector<Triangle>& triangles) {
   return side;
 }
 
+/// A function has on the side of the dart, seen from the triangle, its value seen from that of the smaller dart times
+/// e^{2πi·this}: at the start of the dart both see the same vertex.
+double turns_of_side(const std::vector<Triangle>& triangles, std::uint32_t dart) {
+  const std::uint32_t across = triangles[dart / 3].opposite[dart % 3];
+  if (dart < across) return 0;
+  return triangles[dart / 3].turns[dart % 3] - triangles[across / 3].turns[(across % 3 + 1) % 3];
+}
+
 std::vector<Triangle> halved(const std::vector<Triangle>& whole, std::uint32_t vertices) {
   const std::vector<std::uint32_t> side = sides_of(whole);
   std::vector<Triangle> result(4 * whole.size());
   for (std::uint32_t t = 0; t < whole.size(); ++t) {
-    const auto& [point, vertex, opposite] = whole[t];
+    const auto& [point, vertex, opposite, turns] = whole[t];
     std::array<Triple, 3> middle;
     std::array<std::uint32_t, 3> number;
+    Triple turns_of_middle;
     for (std::uint32_t i = 0; i < 3; ++i) {
       middle[i] = midpoint(point[i], point[(i + 1) % 3]);
       number[i] = vertices + side[3 * t + i];
+      turns_of_middle[i] = turns_of_side(whole, 3 * t + i);
     }
     const std::uint32_t inner = 4 * t + 3;
     result[inner].point = middle;
     result[inner].vertex = number;
+    result[inner].turns = turns_of_middle;
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::uint32_t before = (i + 2) % 3;
       Triangle& small = result[4 * t + i];
       small.point = {point[i], middle[i], middle[before]};
       small.vertex = {vertex[i], number[i], number[before]};
+      small.turns = {turns[i], turns_of_middle[i], turns_of_middle[before]};
       const std::uint32_t across = opposite[i];
       const std::uint32_t back = opposite[before];
       // `across` ends where this dart begins; `back` begins where the dart before ends.
@@ -162,16 +181,37 @@ LocalForms upper_forms(const Flat& flat) {
                      {1.0 / 6, 1.0 / 12, 1, 3, 2, 1});
 }
 
+/// e^{2πi turns}; exactly for multiples of 1/4.
+std::complex<double> unit(double turns) {
+  const double quarters = std::round(4 * turns);
+  const double angle = 2 * std::numbers::pi * (turns - quarters / 4);
+  const std::complex<double> near_one(std::cos(angle), std::sin(angle));
+  switch ((static_cast<long>(quarters) % 4 + 4) % 4) {
+    case 0:
+      return near_one;
+    case 1:
+      return {-near_one.imag(), near_one.real()};
+    case 2:
+      return -near_one;
+    default:
+      return {near_one.imag(), -near_one.real()};
+  }
+}
+
 }  // namespace
 
-Elements::Elements(const NetGeometry& geometry, std::uint32_t halvings) {
+Elements::Elements(const NetGeometry& geometry, std::uint32_t halvings, const std::vector<double>& turns) {
   const certify::NetDocument& net = geometry.document();
   std::vector<Triangle> triangles;
   for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
     const auto corners = geometry.centred_corners(t);
+    Triple of_corners{};
+    for (std::uint32_t i = 0; i < 3 && !turns.empty(); ++i)
+      of_corners[i] = turns[certify::corner_label(net, 3 * t + i)];
     triangles.push_back({{on_hyperboloid(corners[0]), on_hyperboloid(corners[1]), on_hyperboloid(corners[2])},
                          net.triangles[t].vertex,
-                         net.triangles[t].opposite});
+                         net.triangles[t].opposite,
+                         of_corners});
   }
   vertex_count_ = static_cast<std::uint32_t>(net.vertices.size());
   for (std::uint32_t i = 0; i < halvings; ++i) {
@@ -182,44 +222,73 @@ Elements::Elements(const NetGeometry& geometry, std::uint32_t halvings) {
   side_count_ = static_cast<std::uint32_t>(3 * triangles.size() / 2);
   const std::vector<std::uint32_t> side = sides_of(triangles);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto& [point, vertex, opposite] = triangles[t];
+    const auto& [point, vertex, opposite, of_corners] = triangles[t];
     squares_.push_back({squared_distance(point[1], point[2]), squared_distance(point[2], point[0]),
                         squared_distance(point[0], point[1])});
     corners_.push_back(vertex);
     opposite_sides_.push_back({side[3 * t + 1], side[3 * t + 2], side[3 * t]});
+    if (turns.empty()) continue;
+    const auto dart = static_cast<std::uint32_t>(3 * t);
+    turns_of_corners_.push_back(of_corners);
+    turns_of_sides_.push_back(
+        {turns_of_side(triangles, dart + 1), turns_of_side(triangles, dart + 2), turns_of_side(triangles, dart)});
   }
 }
 
 template <class Local>
-ElementMatrices Elements::assembled(const Numbers& numbers, std::uint32_t size, const Local& local) const {
+ElementMatrices Elements::assembled(const Numbers& numbers, const Turns& turns, std::uint32_t size,
+                                    const Local& local) const {
   using Entry = Eigen::Triplet<double>;
   std::vector<Entry> energy;
   std::vector<Entry> mass;
+  std::vector<Entry> imaginary_energy;
+  std::vector<Entry> imaginary_mass;
   const auto add = [&](std::uint32_t i, std::uint32_t j, double a, double b) {
     const auto row = static_cast<int>(std::max(i, j));
     const auto column = static_cast<int>(std::min(i, j));
     energy.emplace_back(row, column, a);
     mass.emplace_back(row, column, b);
   };
+  bool is_real = true;
   for (std::size_t t = 0; t < squares_.size(); ++t) {
     const LocalForms forms = local(Flat(squares_[t]));
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t j = numbers[t][(i + 1) % 3];
-      const std::uint32_t k = numbers[t][(i + 2) % 3];
+      const std::size_t after = (i + 1) % 3;
+      const std::size_t before = (i + 2) % 3;
+      const std::uint32_t j = numbers[t][after];
+      const std::uint32_t k = numbers[t][before];
       add(numbers[t][i], numbers[t][i], forms.energy_square[i], forms.mass_square[i]);
       const double times = j == k ? 2 : 1;
-      add(j, k, times * forms.energy_product[i], times * forms.mass_product[i]);
+      const double a = times * forms.energy_product[i];
+      const double b = times * forms.mass_product[i];
+      if (turns.empty()) {
+        add(j, k, a, b);
+        continue;
+      }
+      // x̄y in the form is the entry in the row of x and the column of y.
+      const double difference = turns[t][before] - turns[t][after];
+      const std::complex<double> phase = unit(j > k ? difference : -difference);
+      add(j, k, a * phase.real(), b * phase.real());
+      if (j == k) continue;
+      imaginary_energy.emplace_back(energy.back().row(), energy.back().col(), a * phase.imag());
+      imaginary_mass.emplace_back(mass.back().row(), mass.back().col(), b * phase.imag());
+      is_real = is_real && phase.imag() == 0;
     }
   }
   const auto n = static_cast<Eigen::Index>(size);
-  ElementMatrices result{Eigen::SparseMatrix<double>(n, n), Eigen::SparseMatrix<double>(n, n)};
-  result.energy.setFromTriplets(energy.begin(), energy.end());
-  result.mass.setFromTriplets(mass.begin(), mass.end());
-  return result;
+  const auto matrix = [n](const std::vector<Entry>& entries) {
+    Eigen::SparseMatrix<double> result(n, n);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  };
+  if (is_real) return {matrix(energy), matrix(mass)};
+  return {matrix(energy), matrix(mass), matrix(imaginary_energy), matrix(imaginary_mass)};
 }
 
-ElementMatrices Elements::lower() const { return assembled(opposite_sides_, side_count_, lower_forms); }
-ElementMatrices Elements::upper() const { return assembled(corners_, vertex_count_, upper_forms); }
+ElementMatrices Elements::lower() const {
+  return assembled(opposite_sides_, turns_of_sides_, side_count_, lower_forms);
+}
+ElementMatrices Elements::upper() const { return assembled(corners_, turns_of_corners_, vertex_count_, upper_forms); }
 
 double Elements::interpolation() const {
   double greatest = 0;
@@ -235,8 +304,6 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
-
-using Factors = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 /// By place, what is eliminated there. Nested dissection by METIS, which takes a third or less of the operations that
 /// minimum degree takes.
@@ -273,79 +340,122 @@ Permutation places_of(const std::vector<std::uint32_t>& order) {
   return result;
 }
 
+/// The lower half of a symmetric matrix, or of a Hermitian one.
+template <class Scalar>
+using Half = Eigen::SparseMatrix<Scalar>;
+
 /// With rows and columns in another order.
-Matrix ordered(const Matrix& lower_half, const Permutation& places) {
-  std::vector<Eigen::Triplet<double>> entries;
+template <class Scalar>
+Half<Scalar> ordered(const Half<Scalar>& lower_half, const Permutation& places) {
+  std::vector<Eigen::Triplet<Scalar>> entries;
   entries.reserve(static_cast<std::size_t>(lower_half.nonZeros()));
   for (Eigen::Index column = 0; column < lower_half.cols(); ++column) {
-    for (Matrix::InnerIterator entry(lower_half, column); entry; ++entry) {
-      const auto [first, second] = std::minmax(places.indices()[entry.row()], places.indices()[column]);
-      entries.emplace_back(second, first, entry.value());
+    for (typename Half<Scalar>::InnerIterator entry(lower_half, column); entry; ++entry) {
+      const int here = places.indices()[entry.row()];
+      const int there = places.indices()[column];
+      entries.emplace_back(std::max(here, there), std::min(here, there),
+                           here < there ? Eigen::numext::conj(entry.value()) : entry.value());
     }
   }
-  Matrix result(lower_half.rows(), lower_half.cols());
+  Half<Scalar> result(lower_half.rows(), lower_half.cols());
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
 
+template <class Scalar>
+using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Scalar>
+using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// The matrices of an eigenproblem A x = λ M x.
+template <class Scalar>
+struct Pencil {
+  Half<Scalar> energy;
+  Half<Scalar> mass;
+};
+
+Pencil<std::complex<double>> hermitian(const ElementMatrices& matrices) {
+  const auto of_parts = [](const Matrix& real, const Matrix& imaginary) {
+    const std::complex<double> i(0, 1);
+    return Half<std::complex<double>>(real.cast<std::complex<double>>() + i * imaginary.cast<std::complex<double>>());
+  };
+  return {of_parts(matrices.energy, matrices.imaginary_energy), of_parts(matrices.mass, matrices.imaginary_mass)};
+}
+
+/// Eigenvalues in increasing order, and the vectors as columns.
+template <class Scalar>
+struct Eigenpairs {
+  std::vector<double> values;
+  Columns<Scalar> vectors;
+};
+
 /// x ↦ (A − σM)⁻¹ x, by elimination in the order of the rows; 0 on eigenvectors that are known.
+template <class Number>
 class Inverse {
  public:
-  using Scalar = double;
-  explicit Inverse(const ElementMatrices& matrices) : matrices_(matrices), known_(rows(), 0) {}
+  using Scalar = Number;
+  explicit Inverse(const Pencil<Scalar>& matrices) : matrices_(matrices), known_(rows(), 0) {}
   [[nodiscard]] Eigen::Index rows() const { return matrices_.energy.rows(); }
   [[nodiscard]] Eigen::Index cols() const { return matrices_.energy.cols(); }
   void set_shift(double sigma) {
     if (sigma == sigma_) return;
     sigma_ = sigma;
-    factors_.compute(Matrix(matrices_.energy - sigma * matrices_.mass));
+    factors_.compute(Half<Scalar>(matrices_.energy - sigma * matrices_.mass));
     if (factors_.info() != Eigen::Success) throw NetError("a matrix of finite elements is singular");
   }
-  void perform_op(const double* x, double* y) const {
-    const Eigen::Map<const Eigen::VectorXd> from(x, rows());
-    Eigen::Map<Eigen::VectorXd> to(y, rows());
+  void perform_op(const Scalar* x, Scalar* y) const {
+    const Eigen::Map<const Column<Scalar>> from(x, rows());
+    Eigen::Map<Column<Scalar>> to(y, rows());
     to = factors_.solve(from);
-    if (known_.cols() > 0) to -= known_ * weights_.cwiseProduct(known_.transpose() * from);
+    if (known_.cols() > 0) to -= known_ * weights_.cwiseProduct(known_.adjoint() * from);
   }
   /// Eigenvectors of these values, whose M-norm is 1.
-  void set_known(const std::vector<double>& values, const Eigen::MatrixXd& vectors) {
-    known_ = vectors;
-    weights_ = (Eigen::Map<const Eigen::VectorXd>(values.data(), known_.cols()).array() - sigma_).inverse();
+  void set_known(const Eigenpairs<Scalar>& known) {
+    known_ = known.vectors;
+    weights_ = (Eigen::Map<const Eigen::VectorXd>(known.values.data(), known_.cols()).array() - sigma_)
+                   .inverse()
+                   .template cast<Scalar>();
   }
+  [[nodiscard]] Eigen::Index known() const { return known_.cols(); }
 
  private:
-  const ElementMatrices& matrices_;
+  const Pencil<Scalar>& matrices_;
   double sigma_ = HUGE_VAL;
-  Factors factors_;
-  Eigen::MatrixXd known_;
-  Eigen::VectorXd weights_;
+  Eigen::SimplicialLDLT<Half<Scalar>, Eigen::Lower, Eigen::NaturalOrdering<int>> factors_;
+  Columns<Scalar> known_;
+  Column<Scalar> weights_;
 };
 
 /// x ↦ M x
+template <class Number>
 class Mass {
  public:
-  using Scalar = double;
-  explicit Mass(const Matrix& mass) : mass_(mass) {}
+  using Scalar = Number;
+  explicit Mass(const Half<Scalar>& mass) : mass_(mass) {}
   [[nodiscard]] Eigen::Index rows() const { return mass_.rows(); }
   [[nodiscard]] Eigen::Index cols() const { return mass_.cols(); }
-  void perform_op(const double* x, double* y) const {
-    Eigen::Map<Eigen::VectorXd>(y, rows()) =
-        mass_.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(x, rows());
+  void perform_op(const Scalar* x, Scalar* y) const {
+    Eigen::Map<Column<Scalar>>(y, rows()) =
+        mass_.template selfadjointView<Eigen::Lower>() * Eigen::Map<const Column<Scalar>>(x, rows());
+  }
+  [[nodiscard]] Column<Scalar> operator()(const Column<Scalar>& x) const {
+    return mass_.template selfadjointView<Eigen::Lower>() * x;
   }
 
  private:
-  const Matrix& mass_;
+  const Half<Scalar>& mass_;
 };
 
 /// In increasing order.
-DiscreteSpectrum merged(const DiscreteSpectrum& one, const DiscreteSpectrum& other) {
-  DiscreteSpectrum all{one.values, Eigen::MatrixXd(other.vectors.rows(), one.vectors.cols() + other.vectors.cols())};
+template <class Scalar>
+Eigenpairs<Scalar> merged(const Eigenpairs<Scalar>& one, const Eigenpairs<Scalar>& other) {
+  Eigenpairs<Scalar> all{one.values, Columns<Scalar>(other.vectors.rows(), one.vectors.cols() + other.vectors.cols())};
   all.values.insert(all.values.end(), other.values.begin(), other.values.end());
   all.vectors << one.vectors, other.vectors;
   std::vector<std::size_t> order(all.values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return all.values[i] < all.values[j]; });
-  DiscreteSpectrum result{{}, Eigen::MatrixXd(all.vectors.rows(), all.vectors.cols())};
+  Eigenpairs<Scalar> result{{}, Columns<Scalar>(all.vectors.rows(), all.vectors.cols())};
   for (std::size_t i = 0; i < order.size(); ++i) {
     result.values.push_back(all.values[order[i]]);
     result.vectors.col(static_cast<Eigen::Index>(i)) = all.vectors.col(static_cast<Eigen::Index>(order[i]));
@@ -353,24 +463,114 @@ DiscreteSpectrum merged(const DiscreteSpectrum& one, const DiscreteSpectrum& oth
   return result;
 }
 
+constexpr double kShift = -0.1;
+constexpr double kTolerance = 1e-8;
+
 /// By Lanczos's method, so many of the first eigenvalues of those that are not known.
-DiscreteSpectrum more_eigenvalues(Inverse& inverse, Mass& mass, Eigen::Index wanted) {
-  constexpr double kShift = -0.1;
-  constexpr double kTolerance = 1e-8;
+Eigenpairs<double> more_eigenvalues(Inverse<double>& inverse, Mass<double>& mass, Eigen::Index wanted) {
   constexpr int kMostRestarts = 300;
-  Spectra::SymGEigsShiftSolver<Inverse, Mass, Spectra::GEigsMode::ShiftInvert> solver(
+  Spectra::SymGEigsShiftSolver<Inverse<double>, Mass<double>, Spectra::GEigsMode::ShiftInvert> solver(
       inverse, mass, wanted, std::min(2 * wanted + 20, mass.rows()), kShift);
   solver.init();
   const Eigen::Index found =
       solver.compute(Spectra::SortRule::LargestMagn, kMostRestarts, kTolerance, Spectra::SortRule::SmallestAlge);
   const Eigen::VectorXd values = solver.eigenvalues();
-  DiscreteSpectrum result{{values.data(), values.data() + found}, solver.eigenvectors()};
-  for (Eigen::Index k = 0; k < found; ++k) {
-    Eigen::VectorXd image(mass.rows());
-    mass.perform_op(result.vectors.col(k).data(), image.data());
-    result.vectors.col(k) /= std::sqrt(result.vectors.col(k).dot(image));
-  }
+  Eigenpairs<double> result{{values.data(), values.data() + found}, solver.eigenvectors()};
+  for (Eigen::Index k = 0; k < found; ++k)
+    result.vectors.col(k) /= std::sqrt(result.vectors.col(k).dot(mass(result.vectors.col(k))));
   return result;
+}
+
+/// The same for Hermitian matrices, without restarts. Spectra has it for real ones alone; the real matrix of twice the
+/// size would have every eigenvalue twice, and take twice the time.
+Eigenpairs<std::complex<double>> more_eigenvalues(Inverse<std::complex<double>>& inverse,
+                                                  Mass<std::complex<double>>& mass, Eigen::Index wanted) {
+  inverse.set_shift(kShift);
+  const Eigen::Index size = mass.rows();
+  const Eigen::Index most = std::min(size, 20 * wanted + 200);
+  // Another start each time: what is orthogonal to it in an eigenspace is not found.
+  std::mt19937_64 engine(static_cast<std::uint64_t>(inverse.known()));
+  const auto next = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5; };
+  Column<std::complex<double>> candidate(size);
+  for (std::complex<double>& x : candidate) x = {next(), next()};
+  Columns<std::complex<double>> basis(size, std::min(most, 2 * wanted + 20));
+  std::vector<double> diagonal;
+  std::vector<double> beside;
+  double length = std::sqrt(std::real(candidate.dot(mass(candidate))));
+  Column<std::complex<double>> image(size);
+  for (Eigen::Index steps = 0;;) {
+    if (steps == basis.cols()) basis.conservativeResize(Eigen::NoChange, std::min(most, 2 * steps));
+    basis.col(steps) = candidate / length;
+    image = mass(basis.col(steps));
+    inverse.perform_op(image.data(), candidate.data());
+    diagonal.push_back(std::real(image.dot(candidate)));
+    ++steps;
+    candidate -= diagonal.back() * basis.col(steps - 1);
+    if (steps > 1) candidate -= beside.back() * basis.col(steps - 2);
+    const auto found = basis.leftCols(steps);
+    candidate -= found * (found.adjoint() * mass(candidate));
+    length = std::sqrt(std::max(0.0, std::real(candidate.dot(mass(candidate)))));
+    const bool ends = steps == most || length < 1e-14 * std::abs(diagonal.front());
+    constexpr Eigen::Index kBetween = 10;
+    if (ends || (steps >= wanted && steps % kBetween == 0)) {
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> small;
+      small.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), steps),
+                                   Eigen::Map<const Eigen::VectorXd>(beside.data(), steps - 1));
+      // The greatest 1/(λ − σ) first.
+      Eigen::Index good = 0;
+      const auto place = [&](Eigen::Index k) { return steps - 1 - k; };
+      while (good < std::min(wanted, steps) && length * std::abs(small.eigenvectors()(steps - 1, place(good))) <=
+                                                   kTolerance * std::abs(small.eigenvalues()[place(good)])) {
+        ++good;
+      }
+      if (ends || good == wanted) {
+        Eigenpairs<std::complex<double>> result{{}, Columns<std::complex<double>>(size, good)};
+        for (Eigen::Index k = 0; k < good; ++k) {
+          result.values.push_back(kShift + 1 / small.eigenvalues()[place(k)]);
+          result.vectors.col(k) = found * small.eigenvectors().col(place(k));
+        }
+        return result;
+      }
+    }
+    beside.push_back(length);
+  }
+}
+
+/// The first `count` eigenpairs, or all if there are fewer. count_below(x, k) is the number of eigenvalues less than x,
+/// which is about k.
+template <class Scalar, class Count>
+Eigenpairs<Scalar> first_pairs(const Pencil<Scalar>& matrices, std::uint32_t count, const Count& count_below) {
+  constexpr double kGap = 1e-5;
+  constexpr Eigen::Index kMore = 8;
+  constexpr int kMostInVain = 3;
+  const Eigen::Index size = matrices.energy.rows();
+  Inverse<Scalar> inverse(matrices);
+  Mass<Scalar> mass(matrices.mass);
+  // Of several eigenvalues that are equal, or nearly, the method finds some; counting says whether there are others.
+  Eigenpairs<Scalar> known{{}, Columns<Scalar>(size, 0)};
+  Eigen::Index missing = count;
+  for (int in_vain = 0; in_vain < kMostInVain;) {
+    const Eigen::Index wanted = std::min(missing + kMore, size - 2 - known.vectors.cols());
+    if (wanted < 1) break;
+    known = merged(known, more_eigenvalues(inverse, mass, wanted));
+    inverse.set_known(known);
+    // Counted where there is a gap: those that are equal, but for rounding, are not told apart by counting.
+    std::size_t gap = count;
+    while (gap < known.values.size() && known.values[gap] - known.values[gap - 1] <= kGap * known.values[gap]) ++gap;
+    if (gap >= known.values.size()) continue;
+    const std::uint32_t below = count_below((known.values[gap - 1] + known.values[gap]) / 2, gap);
+    if (below == gap) {
+      const auto enough = static_cast<Eigen::Index>(count);
+      return {{known.values.begin(), known.values.begin() + enough}, known.vectors.leftCols(enough)};
+    }
+    const Eigen::Index before = std::exchange(
+        missing, std::max<Eigen::Index>(1, static_cast<Eigen::Index>(below) - static_cast<Eigen::Index>(gap)));
+    if (missing >= before) ++in_vain;
+  }
+  throw NetError(
+      "Lanczos's method finds too few eigenvalues of a net, as around a closed geodesic that is too short for numbers "
+      "of "
+      "binary64");
 }
 
 }  // namespace
@@ -382,58 +582,59 @@ std::vector<std::uint32_t> elimination_order(const Matrix& lower_half) {
 
 certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order, double sigma,
                          certify::Bound bound, unsigned threads, std::optional<std::uint64_t> wanted) {
-  const Matrix shifted = matrices.energy - sigma * matrices.mass;
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   std::vector<certify::MatrixEntry> entries;
-  for (Eigen::Index column = 0; column < shifted.cols(); ++column) {
-    for (Matrix::InnerIterator entry(shifted, column); entry; ++entry) {
-      const auto [first, second] =
-          std::minmax(place[static_cast<std::size_t>(entry.row())], place[static_cast<std::size_t>(column)]);
-      entries.push_back({second, first, entry.value(), 0});
+  // As the place in the order asks for; it may be above the diagonal, where the entry is the conjugate.
+  const auto for_each_entry = [&](const Matrix& lower_half, const auto& add) {
+    for (Eigen::Index column = 0; column < lower_half.cols(); ++column) {
+      for (Matrix::InnerIterator entry(lower_half, column); entry; ++entry)
+        add(place[static_cast<std::size_t>(entry.row())], place[static_cast<std::size_t>(column)], entry.value());
     }
+  };
+  const Matrix shifted = matrices.energy - sigma * matrices.mass;
+  const auto size = static_cast<std::uint32_t>(order.size());
+  if (matrices.is_real()) {
+    for_each_entry(shifted, [&](std::uint32_t i, std::uint32_t j, double value) {
+      entries.push_back({std::max(i, j), std::min(i, j), value, 0});
+    });
+    const certify::SparseMatrix matrix(size, std::move(entries));
+    return matrix.negative_eigenvalues(bound, {}, certify::thread_count(threads), wanted);
   }
-  const certify::SparseMatrix matrix(static_cast<std::uint32_t>(order.size()), std::move(entries));
-  return matrix.negative_eigenvalues(bound, {}, certify::thread_count(threads), wanted);
+  // a + bi is the block (a, −b; b, a).
+  for_each_entry(shifted, [&](std::uint32_t i, std::uint32_t j, double value) {
+    for (const std::uint32_t part : {0U, 1U})
+      entries.push_back({2 * std::max(i, j) + part, 2 * std::min(i, j) + part, value, 0});
+  });
+  for_each_entry(Matrix(matrices.imaginary_energy - sigma * matrices.imaginary_mass),
+                 [&](std::uint32_t i, std::uint32_t j, double value) {
+                   const double below_diagonal = i > j ? value : -value;
+                   entries.push_back({2 * std::max(i, j), 2 * std::min(i, j) + 1, -below_diagonal, 0});
+                   entries.push_back({2 * std::max(i, j) + 1, 2 * std::min(i, j), below_diagonal, 0});
+                 });
+  const certify::SparseMatrix matrix(2 * size, std::move(entries));
+  // The number is a multiple of two: one more than an upper bound, or one less than a lower one, is enough.
+  if (wanted) *wanted = bound == certify::Bound::upper ? 2 * *wanted + 1 : std::max<std::uint64_t>(2 * *wanted, 1) - 1;
+  certify::Inertia twice = matrix.negative_eigenvalues(bound, {}, certify::thread_count(threads), wanted);
+  twice.negative = bound == certify::Bound::upper ? twice.negative / 2 : (twice.negative + 1) / 2;
+  return twice;
 }
 
 DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order,
                                    std::uint32_t count) {
-  constexpr double kGap = 1e-5;
-  constexpr Eigen::Index kMore = 8;
-  constexpr int kMostInVain = 3;
   const Permutation places = places_of(order);
-  const ElementMatrices in_order{ordered(matrices.energy, places), ordered(matrices.mass, places)};
-  const Eigen::Index size = matrices.energy.rows();
-  Inverse inverse(in_order);
-  Mass mass(in_order.mass);
-  // Of several eigenvalues that are equal, or nearly, the method finds some; counting says whether there are others.
-  DiscreteSpectrum known{{}, Eigen::MatrixXd(size, 0)};
-  Eigen::Index missing = count;
-  for (int in_vain = 0; in_vain < kMostInVain;) {
-    const Eigen::Index wanted = std::min(missing + kMore, size - 2 - known.vectors.cols());
-    if (wanted < 1) break;
-    known = merged(known, more_eigenvalues(inverse, mass, wanted));
-    inverse.set_known(known.values, known.vectors);
-    // Counted where there is a gap: those that are equal, but for rounding, are not told apart by counting.
-    std::size_t gap = count;
-    while (gap < known.values.size() && known.values[gap] - known.values[gap - 1] <= kGap * known.values[gap]) ++gap;
-    if (gap >= known.values.size()) continue;
-    const double between = (known.values[gap - 1] + known.values[gap]) / 2;
-    const std::uint32_t below = inertia(matrices, order, between, certify::Bound::upper, 1, gap).negative;
-    if (below == gap) {
-      const auto enough = static_cast<Eigen::Index>(count);
-      return {{known.values.begin(), known.values.begin() + enough},
-              places.transpose() * known.vectors.leftCols(enough)};
-    }
-    const Eigen::Index before = std::exchange(
-        missing, std::max<Eigen::Index>(1, static_cast<Eigen::Index>(below) - static_cast<Eigen::Index>(gap)));
-    if (missing >= before) ++in_vain;
+  const auto count_below = [&](double x, std::uint64_t about) {
+    return inertia(matrices, order, x, certify::Bound::upper, 1, about).negative;
+  };
+  if (!matrices.is_real()) {
+    const auto [energy, mass] = hermitian(matrices);
+    return {
+        first_pairs<std::complex<double>>({ordered(energy, places), ordered(mass, places)}, count, count_below).values,
+        {}};
   }
-  throw NetError(
-      "Lanczos's method finds too few eigenvalues of a net, as around a closed geodesic that is too short for numbers "
-      "of "
-      "binary64");
+  const auto [values, vectors] =
+      first_pairs<double>({ordered(matrices.energy, places), ordered(matrices.mass, places)}, count, count_below);
+  return {values, places.transpose() * vectors};
 }
 
 }  // namespace epsnet

@@ -15,17 +15,25 @@
 /// docs/proof.md, section 17.1, rounded, and their eigenvalues.
 namespace epsnet {
 
-/// The energy and the mass of functions as quadratic forms of their values.
+/// The energy and the mass of functions as forms of their values: the lower halves of symmetric matrices, or, with
+/// phases, of Hermitian ones.
 struct ElementMatrices {
-  Eigen::SparseMatrix<double> energy;  ///< The lower half.
+  Eigen::SparseMatrix<double> energy;
   Eigen::SparseMatrix<double> mass;
+  Eigen::SparseMatrix<double> imaginary_energy = {};  ///< The imaginary parts; empty if all are 0.
+  Eigen::SparseMatrix<double> imaginary_mass = {};
+
+  [[nodiscard]] bool is_real() const { return imaginary_energy.size() == 0; }
 };
 
 /// The halved triangles, numbered as in docs/format.md.
 class Elements {
  public:
-  /// O(triangles · 4^halvings).
-  Elements(const NetGeometry& geometry, std::uint32_t halvings);
+  /// With phases (netgen/surfaces/characters.h), `turns` has those of the labels, by number, 0 for the identity. The
+  /// value of a function in a corner, seen from the triangle, is that in the chart of the vertex, times the phase of
+  /// the label; the value in the midpoint of a side is that seen from the triangle of the smaller dart. Nothing: no
+  /// phases. O(triangles · 4^halvings).
+  Elements(const NetGeometry& geometry, std::uint32_t halvings, const std::vector<double>& turns = {});
 
   [[nodiscard]] std::uint32_t sides() const { return side_count_; }
   [[nodiscard]] std::uint32_t vertices() const { return vertex_count_; }
@@ -40,13 +48,17 @@ class Elements {
 
  private:
   using Numbers = std::vector<std::array<std::uint32_t, 3>>;
+  using Turns = std::vector<std::array<double, 3>>;
 
   template <class Local>
-  [[nodiscard]] ElementMatrices assembled(const Numbers& numbers, std::uint32_t size, const Local& local) const;
+  [[nodiscard]] ElementMatrices assembled(const Numbers& numbers, const Turns& turns, std::uint32_t size,
+                                          const Local& local) const;
 
   std::vector<std::array<double, 3>> squares_;  ///< By triangle: of the flat sides, the one opposite to corner i at i.
   Numbers opposite_sides_;                      ///< By triangle and corner.
   Numbers corners_;                             ///< By triangle: the vertices.
+  Turns turns_of_sides_;                        ///< Of the phases of the values, likewise; empty without phases.
+  Turns turns_of_corners_;
   std::uint32_t side_count_ = 0;
   std::uint32_t vertex_count_ = 0;
 };
@@ -63,7 +75,7 @@ class Elements {
                                        double sigma, certify::Bound bound, unsigned threads,
                                        std::optional<std::uint64_t> wanted = std::nullopt);
 
-/// Eigenvalues in increasing order, and the vectors as columns.
+/// Eigenvalues in increasing order, and the vectors as columns, if the matrices are real.
 struct DiscreteSpectrum {
   std::vector<double> values;
   Eigen::MatrixXd vectors;

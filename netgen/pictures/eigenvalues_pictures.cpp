@@ -269,8 +269,9 @@ EigenvaluesPicture picture_of(const EigenvaluesDocument& document) {
   // V − E + F = 2 − 2g, and E = 3F/2.
   const auto vertices = static_cast<double>(document.net.vertices.size());
   result.weyl = (static_cast<double>(document.net.triangles.size()) / 2 - vertices) / 2;
-  result.title = count == 0 ? "Eigenvalues of the Laplacian: none less than " + certify::shortest(document.next)
-                            : "The first " + std::to_string(count) + " eigenvalues of the Laplacian";
+  const std::string what = std::string("of the Laplacian") + (document.phases.empty() ? "" : " with phases");
+  result.title = count == 0 ? "Eigenvalues " + what + ": none less than " + certify::shortest(document.next)
+                            : "The first " + std::to_string(count) + " eigenvalues " + what;
   return result;
 }
 

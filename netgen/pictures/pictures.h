@@ -114,8 +114,7 @@ struct EigenvalueCount {
   std::optional<std::uint32_t> most = {};  ///< and at most so many.
 };
 
-/// Returns how many eigenvalues are less than x, without the eigenvalue 0 of the constants, as rows of the document
-/// say.
+/// Returns how many eigenvalues are less than x, as rows of the document say: without phases, those that are not 0.
 [[nodiscard]] EigenvalueCount eigenvalues_below(const certify::EigenvaluesDocument& document, double x);
 
 /// What a picture of an eigenvalues file shows, over the axis of eigenvalues.
@@ -140,6 +139,21 @@ struct EigenvaluesPicture {
 /// Returns the picture as SVG, `size` pixels wide (50 to 20000) and 0.62 times as high. Above each interval is its
 /// number of eigenvalues. Intervals are at least as wide as can be seen.
 [[nodiscard]] std::string draw_svg(const EigenvaluesPicture& picture, std::uint32_t size = 1000);
+
+/// Bands along a path: at each step intervals that contain λ₀, λ₁, ….
+struct BandsPicture {
+  /// A step with a name, such as that of a corner of the path.
+  struct Mark {
+    std::size_t step;
+    std::string name;
+  };
+  std::vector<std::vector<certify::Interval>> bands{};  ///< By step and index.
+  std::vector<Mark> marks{};
+};
+
+/// Returns the picture as SVG, `size` pixels wide (50 to 20000) and 0.62 times as high: an upright bar for each
+/// interval, at least as long as can be seen, and a line through the middles of those with the same index.
+[[nodiscard]] std::string draw_svg(const BandsPicture& picture, std::uint32_t size = 1000);
 
 /// An eigenfunction of an eigenvalues file.
 struct EigenfunctionPlace {

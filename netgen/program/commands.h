@@ -17,6 +17,7 @@
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/claims/isometries/document.h"
+#include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
@@ -50,6 +51,7 @@ void add_curves_command(CLI::App& app, Job& chosen);
 void add_mapping_class_command(CLI::App& app, Job& chosen);
 void add_maximize_command(CLI::App& app, Job& chosen);
 void add_eigenvalues_command(CLI::App& app, Job& chosen);
+void add_bands_command(CLI::App& app, Job& chosen);
 void add_isometries_command(CLI::App& app, Job& chosen);
 void add_isometric_command(CLI::App& app, Job& chosen);
 void add_identify_command(CLI::App& app, Job& chosen);
@@ -103,6 +105,9 @@ void add_point(CLI::App& command, const char* name, std::string& text, const std
 [[nodiscard]] std::string with_leading_zero(const std::string& number);
 /// Returns the value of an option that is a positive length. Throws UsageError, which names the option.
 [[nodiscard]] Length parse_length(const std::string& option, const std::string& text);
+/// Returns the phases of a character: numbers of turns with commas, colons or spaces between them. Throws UsageError,
+/// whose message begins with `name`.
+[[nodiscard]] TorusPoint parse_torus_point(const std::string& name, const std::string& text);
 /// Returns a picture as SVG; writes what it could not show to standard error.
 [[nodiscard]] std::string svg_of(const PolygonPicture& picture);
 /// Adds --geodesics FILE.

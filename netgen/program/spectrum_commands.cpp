@@ -214,11 +214,15 @@ struct EigenvaluesRequest {
   std::optional<std::string> below;
   int digits = 0;
   std::optional<std::string> epsilon;
+  std::optional<std::string> phases;
   std::string output;
   std::string svg;
   bool json = false;
   unsigned threads = 0;
 };
+
+/// The index of the first eigenvalue of a document: without phases 0, of the constants, is left out.
+std::uint64_t first_index(const EigenvaluesDocument& document) { return document.phases.empty() ? 1 : 0; }
 
 std::string lambdas_text(std::uint64_t first, std::uint32_t count) {
   const std::string text = "lambda_" + std::to_string(first);
@@ -244,9 +248,19 @@ Json count_json(const EigenvalueCount& count) {
   return result;
 }
 
+/// What is counted below a number.
+std::string below_text(const EigenvaluesDocument& document, const std::string& bound) {
+  return document.phases.empty() ? "eigenvalues in (0, " + bound + ")" : "eigenvalues less than " + bound;
+}
+
 std::string eigenvalues_text(const EigenvaluesDocument& document) {
   std::ostringstream out;
-  std::uint64_t first = 1;
+  if (!document.phases.empty()) {
+    out << "phases of the sides, in turns:";
+    for (const std::string& phase : document.phases) out << ' ' << phase;
+    out << '\n';
+  }
+  std::uint64_t first = first_index(document);
   for (std::size_t row = 0; row < document.eigenvalues.size(); ++row) {
     const auto& [in, count] = document.eigenvalues[row];
     out << lambdas_text(first, count) << " in " << to_string(in);
@@ -255,15 +269,17 @@ std::string eigenvalues_text(const EigenvaluesDocument& document) {
     out << '\n';
     first += count;
   }
-  out << "all " << (first == 1 ? "" : "others ") << "are at least " << certify::shortest(document.next)
-      << "\neigenvalues in (0, 1/4): " << count_text(eigenvalues_below(document, 0.25)) << '\n';
+  out << "all " << (document.eigenvalues.empty() ? "" : "others ") << "are at least "
+      << certify::shortest(document.next) << '\n'
+      << below_text(document, "1/4") << ": " << count_text(eigenvalues_below(document, 0.25)) << '\n';
   return out.str();
 }
 
 Json eigenvalues_json(const EigenvaluesDocument& document) {
   Json result = Json::object();
+  if (!document.phases.empty()) result["phases"] = document.phases;
   result["eigenvalues"] = Json::array();
-  std::uint64_t first = 1;
+  std::uint64_t first = first_index(document);
   for (const auto& [in, count] : document.eigenvalues) {
     result["eigenvalues"].push_back(Json::object({{"first", first}, {"count", count}, {"in", interval_json(in)}}));
     first += count;
@@ -278,7 +294,7 @@ Report below_report(const EigenvaluesDocument& document, double below) {
   const EigenvalueCount count = eigenvalues_below(document, below);
   Json json = count_json(count);
   json["bound"] = below;
-  return {"eigenvalues in (0, " + certify::shortest(below) + "): " + count_text(count) + '\n',
+  return {below_text(document, certify::shortest(below)) + ": " + count_text(count) + '\n',
           Json::object({{"below", std::move(json)}})};
 }
 
@@ -296,6 +312,9 @@ EigenvaluesOptions options_of(const EigenvaluesRequest& request) {
   if (request.below) options.below = parse_below(*request.below);
   if (request.digits > 0) options.digits = request.digits;
   if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
+  if (!request.phases) return options;
+  options.phases = parse_torus_point("--phases", *request.phases);
+  if (request.digits > 3) throw UsageError("--digits: at most 3 with --phases, not " + std::to_string(request.digits));
   return options;
 }
 
@@ -356,6 +375,13 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
       ->option_text("D");
   command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default at most 0.6")
       ->option_text("E");
+  command
+      ->add_option(
+          "--phases", shared->phases,
+          "of functions f on the plane with f(gz) = c(g)f(z): the phases of c, 2g numbers of turns with commas "
+          "between them, such as 0,1/3,0.25,-1/2, those of the sides that epsnet bands --help says; from "
+          "lambda_0 on, with up to 3 digits, 2 by default")
+      ->option_text("T,...");
   add_file(*command, "-o,--output", shared->output,
            "the eigenvalues file to write, for certify; \"-\" is standard output");
   add_file(*command, "--svg", shared->svg,
@@ -366,6 +392,7 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
       "Example:\n  epsnet eigenvalues s.json\n"
       "  epsnet eigenvalues s.json --count 30 --digits 6 -o e.json && certify e.json\n"
       "  epsnet eigenvalues s.json --below 0.25\n"
+      "  epsnet eigenvalues s.json --count 4 --phases 0,1/3,0,1/2\n"
       "  epsnet draw e.json --eigenfunction 3 -o e3.svg");
   command->callback([&chosen, shared] { chosen = [shared] { find_eigenvalues(*shared); }; });
 }

@@ -14,6 +14,7 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
+#include "netgen/surfaces/characters.h"
 #include "python/binding/binding.h"
 
 /// What is proved of a surface: distances and bounds, geodesics, eigenvalues, isometries, pants, closed curves.
@@ -203,9 +204,9 @@ void bind_eigenvalues(py::module_& module) {
   bound
       .def_static("find",
                   [](const Surface& surface, std::optional<std::uint32_t> count, std::optional<double> below,
-                     std::optional<int> digits, const std::optional<std::string>& epsilon, unsigned threads,
-                     const py::object& callback) {
-                    EigenvaluesOptions options{.below = below, .digits = digits, .threads = threads};
+                     std::optional<int> digits, const std::optional<std::string>& epsilon, const TorusPoint& phases,
+                     unsigned threads, const py::object& callback) {
+                    EigenvaluesOptions options{.below = below, .digits = digits, .phases = phases, .threads = threads};
                     if (count) options.count = *count;
                     if (epsilon) options.epsilon = Length(*epsilon);
                     const auto search = [surface, options](const Progress& progress) {
@@ -220,6 +221,7 @@ void bind_eigenvalues(py::module_& module) {
              return interruptible([self, size] { return draw_svg(picture_of(*self), size); });
            })
       .def_property_readonly("net", [](const SharedEigenvalues& self) { return SharedNet(self->net); })
+      .def_property_readonly("phases", [](const SharedEigenvalues& self) { return self->phases; })
       .def("eigenfunction",
            [](const SharedEigenvalues& self, std::size_t index) {
              const certify::Interval in = self->eigenfunctions[eigenfunction_place(*self, index).row].in;
@@ -243,6 +245,31 @@ void bind_eigenvalues(py::module_& module) {
         for (const auto& [in, count] : self->eigenvalues) result.emplace_back(in, count);
         return result;
       });
+  module.def("bands", [](const Surface& surface, const std::vector<TorusPoint>& points, std::uint32_t count,
+                         std::optional<int> digits, const std::optional<std::string>& epsilon, unsigned threads,
+                         const py::object& callback) {
+    BandsOptions options{.count = count, .digits = digits, .threads = threads};
+    if (epsilon) options.epsilon = Length(*epsilon);
+    const auto search = [surface, points, options](const Progress& progress) {
+      BandsOptions with_progress = options;
+      with_progress.progress = progress;
+      return bands(surface, points, with_progress);
+    };
+    return interruptible(search, callback);
+  });
+  module.def("torus_path", &torus_path);
+  module.def("character_sides", [](const Surface& surface) {
+    std::vector<std::uint32_t> result;
+    for (const SideId side : character_sides(surface)) result.push_back(side.number());
+    return result;
+  });
+  module.def("phases_of_sides", [](const Surface& surface, const TorusPoint& turns) {
+    const ById<SideId, Rational> phases = phases_of_sides(surface, turns);
+    return std::vector<Rational>(phases.begin(), phases.end());
+  });
+  module.def("bands_svg", [](std::vector<std::vector<certify::Interval>> rows, std::uint32_t size) {
+    return draw_svg(BandsPicture{std::move(rows), {}}, size);
+  });
 }
 
 void bind_isometries(py::module_& module) {

@@ -46,7 +46,7 @@ from .certificates import Certificate, Rule
 from .curves import ClosedCurve, ClosedCurves, Curve
 from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius
 from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
-from .eigenvalues import Eigenfunction, EigenvalueEnclosure, Eigenvalues
+from .eigenvalues import Bands, Eigenfunction, EigenvalueEnclosure, Eigenvalues
 from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
 from .files import certify, load
 from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicities, Multiplicity, Piece, Systole, ThickThin
@@ -66,7 +66,7 @@ from .symmetries import Comparison, IsometryGroup, IsometryProof, SurfaceIsometr
 __version__: str = _epsnet.__version__
 
 __all__ = [
-    "ArgumentError", "Axis", "Certificate", "ClosedCurve", "ClosedCurves", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Curve", "Diameter",
+    "ArgumentError", "Axis", "Bands", "Certificate", "ClosedCurve", "ClosedCurves", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Curve", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
     "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "LengthDerivatives", "Lifts", "LimitError", "Location", "MappingClass", "Multiplicities", "Multiplicity", "Net",
     "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole", "SystoleMaximum",

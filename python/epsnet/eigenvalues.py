@@ -4,13 +4,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 
 from . import _epsnet
 from ._annotations import Surface
-from ._arguments import Number, as_choice, as_fraction, as_index, as_threads, length_text, refuse
+from ._arguments import Number, as_choice, as_fraction, as_index, as_items, as_threads, length_text, refuse
 from ._documents import Document
 from ._immutable import Immutable
 from ._pictures import Drawn
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["Eigenfunction", "EigenvalueEnclosure", "Eigenvalues"]
+__all__ = ["Bands", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues"]
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class EigenvalueEnclosure:
 
     #: Contains them.
     interval: Interval
-    #: The number of the first one; 1 is that of the least eigenvalue of the surface but 0.
+    #: The number of the first one; 1 is that of the least eigenvalue of the surface but 0. With phases 0 is that of the least one.
     first: int
     #: There are so many.
     count: int
@@ -94,7 +94,8 @@ class Eigenfunction(Drawn, Immutable):
 
 
 class Eigenvalues(Drawn, Document, Sequence[EigenvalueEnclosure]):
-    """The first eigenvalues of the Laplacian, with multiplicity, in increasing order. 0, of the constant functions, is left out."""
+    """The first eigenvalues of the Laplacian, with multiplicity, in increasing order. 0, of the constant functions, is left out; with phases
+    all are counted."""
 
     _core: "_epsnet.Eigenvalues"
 
@@ -103,7 +104,7 @@ class Eigenvalues(Drawn, Document, Sequence[EigenvalueEnclosure]):
 
     @cached_property
     def _rows(self) -> List[EigenvalueEnclosure]:
-        proved, rows, first = self.proved, [], 1
+        proved, rows, first = self.proved, [], 0 if self.phases else 1
         for ends, count in self._core.enclosures:
             rows.append(EigenvalueEnclosure(Interval(*ends, proved=proved), first, count))
             first += count
@@ -113,6 +114,11 @@ class Eigenvalues(Drawn, Document, Sequence[EigenvalueEnclosure]):
     def next(self) -> float:
         """All eigenvalues after those of the rows are at least this number."""
         return self._core.next
+
+    @cached_property
+    def phases(self) -> Tuple[Fraction, ...]:
+        """The phase of each side of the surface, in turns; empty for the eigenvalues of functions on the surface."""
+        return tuple(Fraction(phase) for phase in self._core.phases)
 
     def count_below(self, x: Number) -> Tuple[int, Optional[int]]:
         """At least and at most so many eigenvalues are less than x, which is rounded to a float; None if nothing is known of how many at most."""
@@ -163,16 +169,94 @@ def _below(x: Optional[Number]) -> Optional[float]:
     return float(value)
 
 
+class Bands(Drawn, Immutable):
+    """The first eigenvalues with phases at points of the torus of characters, each in a proved interval."""
+
+    def __init__(self, points: List[List[Fraction]], rows: List[List[Tuple[float, float]]]) -> None:
+        self._points = tuple(tuple(point) for point in points)
+        self._rows = rows
+        both = np.array(rows, dtype=np.float64).reshape(len(points), -1, 2)
+        both.flags.writeable = False
+        self._lower, self._upper = both[:, :, 0], both[:, :, 1]
+
+    @property
+    def points(self) -> Tuple[Tuple[Fraction, ...], ...]:
+        """The points, each as 2g numbers of turns."""
+        return self._points
+
+    @property
+    def lower(self) -> "Floats":
+        """By point and band, the lower ends of the intervals; read-only. Band n is that of λ_n, from 0 on."""
+        return self._lower
+
+    @property
+    def upper(self) -> "Floats":
+        """The upper ends likewise."""
+        return self._upper
+
+    def interval(self, point: int, band: int) -> Interval:
+        """The proved interval that contains λ_band at a point."""
+        lower, upper = self._rows[as_index(point, "point", 0, len(self) - 1)][as_index(band, "band", 0, self._lower.shape[1] - 1)]
+        return Interval(lower, upper, proved=True)
+
+    def svg(self, size: int = 600) -> str:
+        """The bands along the path, as SVG of this width."""
+        return _epsnet.bands_svg(self._rows, as_index(size, "size", 50, 20000))
+
+    def __len__(self) -> int:
+        return len(self._points)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Bands) and self._points == other._points and self._rows == other._rows
+
+    def __hash__(self) -> int:
+        return hash(self._points)
+
+    def __repr__(self) -> str:
+        return f"<Bands: {self._lower.shape[1]} at {len(self)} points>"
+
+
+def _torus_point(surface: "Surface", x: Any, name: str) -> List[Fraction]:
+    """2g numbers of turns."""
+    point = [as_fraction(turns, name) for turns in as_items(x, name, "a sequence of numbers of turns")]
+    sides = _epsnet.character_sides(surface._core)
+    if len(point) != len(sides):
+        refuse(f"{len(sides)} phases, those of the sides {', '.join(map(str, sides))}", x, name)
+    return point
+
+
+def side_phases(surface: "Surface", phases: Sequence[Number]) -> Tuple[Fraction, ...]:
+    return tuple(_epsnet.phases_of_sides(surface._core, _torus_point(surface, phases, "phases")))
+
+
+def bands(
+    surface: "Surface", path: Iterable[Sequence[Number]], steps: int, count: int, digits: Optional[int], epsilon: Optional[Number], threads: int,
+    progress: Progress
+) -> Bands:
+    corners = [_torus_point(surface, corner, "path") for corner in as_items(path, "path", "a sequence of points")]
+    if not corners:
+        refuse("at least one point", path, "path")
+    points = _epsnet.torus_path(corners, as_index(steps, "steps", 1, 10000))
+    number = as_index(count, "count", 1, 1000)
+    precision = None if digits is None else as_index(digits, "digits", 1, 3)
+    length = None if epsilon is None else length_text(epsilon, "epsilon")
+    threads = as_threads(threads)
+    with Shower(progress) as callback:
+        return Bands(points, _epsnet.bands(surface._core, points, number, precision, length, threads, callback))
+
+
 def eigenvalues(
-    surface: "Surface", count: Optional[int], below: Optional[Number], digits: Optional[int], epsilon: Optional[Number], threads: int, progress: Progress
+    surface: "Surface", count: Optional[int], below: Optional[Number], digits: Optional[int], epsilon: Optional[Number],
+    phases: Optional[Sequence[Number]], threads: int, progress: Progress
 ) -> Eigenvalues:
     number = None if count is None else as_index(count, "count", 1, 1000)
     bound = _below(below)
     if count is not None and below is not None:
         raise ArgumentError("not together with count", place="below")
-    precision = None if digits is None else as_index(digits, "digits", 1, 10)
+    precision = None if digits is None else as_index(digits, "digits", 1, 10 if phases is None else 3)
     length = None if epsilon is None else length_text(epsilon, "epsilon")
+    point = [] if phases is None else _torus_point(surface, phases, "phases")
     threads = as_threads(threads)
     with Shower(progress) as callback:
-        core, certificate = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, threads, callback)
+        core, certificate = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, point, threads, callback)
     return Eigenvalues(core, surface, Certificate(certificate))

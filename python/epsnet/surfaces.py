@@ -6,7 +6,7 @@ import json
 import random
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Iterable, Optional, Sequence, Type, TypeVar, Union
+from typing import Any, Iterable, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from ._progress import Progress
 from .curves import ClosedCurves, Curve, curve, curves, fills
 from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
-from .eigenvalues import Eigenvalues, eigenvalues
+from .eigenvalues import Bands, Eigenvalues, bands, eigenvalues, side_phases
 from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
 from .graphs import SurfaceGraph, graph_of
 from .groups import FundamentalGroup
@@ -833,13 +833,16 @@ class Surface(Drawn, Immutable):
 
     def eigenvalues(
         self, count: Optional[int] = None, *, below: Optional[Number] = None, digits: Optional[int] = None, epsilon: Optional[Number] = None,
-        threads: int = 0, progress: Progress = None
+        phases: Optional[Sequence[Number]] = None, threads: int = 0, progress: Progress = None
     ) -> Eigenvalues:
         """The first ``count`` eigenvalues of the Laplacian, 10 by default and at most 1000, with multiplicity, in proved intervals, and those
         that cannot be told apart from the last one; or, with ``below``, all that are less than this number, at most 10000.
 
         ``digits``: about so many of each, from 1 to 10; by default 9, and with ``below`` 3, and no more than their number needs. Up to 2 take
         much less time; from 3 on there are eigenfunctions. ``epsilon``: of the net on which they are counted; by default at most 0.6.
+
+        ``phases``: 2g numbers of turns, the phases of a character χ of the group on the sides ``character_sides``. The eigenvalues are then those
+        of functions f on the plane with f(γz) = χ(γ) f(z), from λ_0 on, with up to 3 digits, 2 by default.
 
         NetError if they are not found, LimitError if it takes too many triangles.
 
@@ -848,7 +851,50 @@ class Surface(Drawn, Immutable):
         >>> [(row.first, row.count, value in row.interval) for row, value in zip(first, (3.8388872588, 5.3536013412))]
         [(1, 3, True), (4, 4, True)]
         """
-        return eigenvalues(self, count, below, digits, epsilon, threads, progress)
+        return eigenvalues(self, count, below, digits, epsilon, phases, threads, progress)
+
+    @property
+    def character_sides(self) -> Tuple[int, ...]:
+        """The 2g sides whose phases determine a character of the group, as ``eigenvalues`` and ``bands`` take them: the first ones of the pairs of
+        sides of the fundamental polygon, without the pairs of a spanning tree if its corners are several vertices of the surface."""
+        return tuple(_epsnet.character_sides(self._core))
+
+    def side_phases(self, phases: Sequence[Number]) -> Tuple[Fraction, ...]:
+        """The phase θ of each side, in (−1/2, 1/2], from the 2g of ``character_sides``, in turns. A function with these phases, in the coordinates
+        of each tile, is multiplied by e^{2πiθ} where the side is crossed.
+
+        For a lattice with a site in each tile, this is the matrix of its hops, Hermitian:
+
+        >>> import numpy as np, epsnet
+        >>> surface = epsnet.Surface.named("klein")
+        >>> tile = [t for t, polygon in enumerate(surface.tiles) for _ in polygon]
+        >>> hops = np.zeros((24, 24), dtype=complex)
+        >>> for side, phase in enumerate(surface.side_phases(("1/3", 0, 0, 0, 0, "1/2"))):
+        ...     hops[tile[side], tile[surface.partner(side)]] += np.exp(-2j * np.pi * float(phase))
+        >>> bool(np.allclose(hops, hops.conj().T)), bool(np.linalg.eigvalsh(hops)[-1] < 7)
+        (True, True)
+        """
+        return side_phases(self, phases)
+
+    def bands(
+        self, path: Iterable[Sequence[Number]], *, steps: int = 1, count: int = 4, digits: Optional[int] = None, epsilon: Optional[Number] = None,
+        threads: int = 0, progress: Progress = None
+    ) -> Bands:
+        """The first ``count`` eigenvalues with phases, λ_0 and so on, at points of the torus of characters, in proved intervals.
+
+        ``path``: points, each 2g numbers of turns, the phases on the sides ``character_sides``; ``steps``: so many between two of them;
+        ``digits``: about so many of each eigenvalue, from 1 to 3, by default 2; ``epsilon``: of the net, which all points share.
+
+        NetError if they are not found, LimitError if it takes too many triangles.
+
+        >>> import epsnet
+        >>> bands = epsnet.Surface.regular(2).bands([(0, 0, 0, 0), ("1/2", 0, 0, 0)], steps=2, count=2, digits=1)
+        >>> bands
+        <Bands: 2 at 3 points>
+        >>> [0.77 in bands.interval(point, 0) for point in range(3)]
+        [False, False, True]
+        """
+        return bands(self, path, steps, count, digits, epsilon, threads, progress)
 
     # Distances.
 

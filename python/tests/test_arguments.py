@@ -73,6 +73,7 @@ def calls(octagon, net, bolza):
     curve = pants.cuffs[0].word
     simple, curves = octagon.curve(curve), octagon.curves([curve])
     words = octagon.fundamental_group()
+    bands = octagon.bands([(0, 0, 0, 0)], count=1, digits=1)
     x, element, table, eigenvalues = Interval(1, 2), octagon.element([0]), net.distances(0), octagon.eigenvalues(1, digits=4)
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
@@ -96,6 +97,9 @@ def calls(octagon, net, bolza):
         (octagon.net, dict(epsilon=1, base=0, points=[], pseudo=False, sparse=False, threads=1, progress=False)),
         (octagon.systole, dict(threads=1, progress=False)), (octagon.spectrum, dict(up_to=2, threads=1, progress=False)),
         (octagon.eigenvalues, dict(count=1, digits=2, epsilon="0.5", threads=1, progress=False)), (octagon.eigenvalues, dict(below=1)),
+        (octagon.eigenvalues, dict(phases=(0, 0, 0, 0), count=1, digits=1)), (octagon.side_phases, dict(phases=(0, 0, 0, 0))),
+        (octagon.bands, dict(path=[(0, 0, 0, 0)], steps=1, count=1, digits=1, epsilon="0.6", threads=1, progress=False)),
+        (bands.interval, dict(point=0, band=0)), (bands.svg, dict(size=100)),
         (eigenvalues.svg, dict(size=100)), (eigenvalues.count_below, dict(x=1)), (eigenvalues.eigenfunction, dict(index=1)),
         (eigenvalues.eigenfunction(1).svg, dict(centre=0, order="weight", size=100)),
         (octagon.isometries, dict(threads=1, progress=False)), (octagon.isometric_to, dict(other=bolza, threads=1, progress=False)),

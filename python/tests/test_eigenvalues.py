@@ -2,6 +2,7 @@
 import copy
 import pickle
 import xml.etree.ElementTree as ElementTree
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -99,6 +100,50 @@ def test_the_picture_has_a_band_for_each_row(found):
     assert found._repr_mimebundle_()["image/svg+xml"] == found.svg() != found.svg(700)
     with pytest.raises(epsnet.ArgumentError):
         found.svg(1)
+
+
+def test_with_phases_they_begin_with_the_number_0(bolza, rough, tmp_path):
+    found = bolza.eigenvalues(2, phases=("1/3", 0, 0.25, Fraction(-5, 2)))
+    assert found.proved and found[0].first == 0 and found[0].interval.lower > 0
+    assert found.phases == (Fraction(1, 3), 0, Fraction(1, 4), Fraction(1, 2), Fraction(-1, 3), 0, Fraction(-1, 4), Fraction(1, 2))
+    assert found.phases == bolza.side_phases(("1/3", 0, "1/4", "1/2"))
+    assert rough.phases == () and bolza.character_sides == (0, 1, 2, 3)
+    path = str(tmp_path / "phases.json")
+    found.save(path)
+    assert epsnet.load(path) == found and epsnet.load(path).phases == found.phases
+    # Those of functions, and 0.
+    zero = bolza.eigenvalues(8, phases=(0, 0, 0, 0))
+    assert [row.count for row in zero] == [1, 3, 4] and zero[0].interval.lower == 0 and zero[0].interval.upper < 1e-5
+    for row, other in zip(zero[1:], rough):
+        assert row.first == other.first and row.interval.lower <= other.interval.upper and other.interval.lower <= row.interval.upper
+
+
+def test_bands_are_the_eigenvalues_at_points_of_a_path(bolza):
+    bands = bolza.bands([(0, 0, 0, 0), ("1/2", 0, 0, 0)], steps=2, count=2, digits=1)
+    assert bands.points == ((0, 0, 0, 0), (Fraction(1, 4), 0, 0, 0), (Fraction(1, 2), 0, 0, 0)) and len(bands) == 3
+    assert bands.lower.shape == bands.upper.shape == (3, 2) and not bands.lower.flags.writeable
+    assert (bands.lower < bands.upper).all() and bands.lower[0, 0] == 0
+    assert bands.interval(1, 0).proved and bands.interval(1, 0).upper == bands.upper[1, 0]
+    alone = bolza.eigenvalues(2, phases=("1/2", 0, 0, 0))
+    for row, band in zip(alone, (0, 1)):
+        assert bands.lower[2, band] <= row.interval.upper and row.interval.lower <= bands.upper[2, band]
+    assert bands == bolza.bands([(0, 0, 0, 0), ("1/2", 0, 0, 0)], steps=2, count=2, digits=1, threads=1) and copy.copy(bands) is bands
+    groups = [path.get("class") for path in ElementTree.fromstring(bands.svg(300))]
+    assert groups.count("band") == 2 and bands.svg(300) != bands.svg()
+
+
+def test_points_that_are_none_are_errors(bolza):
+    with pytest.raises(epsnet.ArgumentError, match="^phases: expected 4 phases, those of the sides 0, 1, 2, 3, not "):
+        bolza.eigenvalues(phases=(0, 0))
+    with pytest.raises(epsnet.ArgumentError, match="^digits: "):
+        bolza.eigenvalues(phases=(0, 0, 0, 0), digits=4)
+    with pytest.raises(epsnet.ArgumentError, match="^path: "):
+        bolza.bands([])
+    with pytest.raises(epsnet.ArgumentError, match="^path: "):
+        bolza.bands([(0, 0, 0, 0), (0, 0, 0, "x")])
+    for name in ("steps", "count", "digits"):
+        with pytest.raises(epsnet.ArgumentError, match=f"^{name}: "):
+            bolza.bands([(0, 0, 0, 0)], **{name: 0})
 
 
 def test_what_cannot_be_meant_is_an_error(bolza):

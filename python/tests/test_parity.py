@@ -34,6 +34,7 @@ NOT_IN_PYTHON = {
     ("export", "--model"): "Surface.matrices(model)",
     ("convert", "--surface"): "Surface.load(path).save",
     ("draw", "--eigenfunction"): "Eigenvalues.eigenfunction(index).svg",
+    ("bands", "--keep"): "Surface.eigenvalues(phases=point).save",
     ("draw", "--png"): "a browser or a notebook shows SVG; the module does not link the library that the program draws with",
 }
 # Commands that are other things in Python, and what.
@@ -64,6 +65,7 @@ FUNCTIONS = {
     "spectrum": (Surface.spectrum, {}),
     "thick-thin": (Surface.thick_thin, {}),
     "eigenvalues": (Surface.eigenvalues, {}),
+    "bands": (Surface.bands, {"--between": "path"}),
     "isometries": (Surface.isometries, {}),
     "isometric": (Surface.isometric_to, {}),
     "identify": (Surface.identify, {}),

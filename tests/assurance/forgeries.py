@@ -2618,6 +2618,172 @@ def eigenvalues_below_a_denormal():
                             at_most=[], side_order=[])
 
 
+# Sections of flat line bundles: the octagon with a third of a turn across side 0, five eigenvalues in three intervals.
+
+SECTIONS = "octagon-sections-of-a-third"
+
+
+def sections_with(phases, **members):
+    return {**eigenvalues(SECTIONS), "phases": phases, **members}
+
+
+def bundle_of_klein(phases):
+    """Nothing is counted: only that the phases of 24 heptagons are those of a line bundle."""
+    with open(os.path.join(TOP, "tests", "data", "certify", "verified", "map-klein.json"), encoding="utf-8") as file:
+        net = json.load(file)
+    document = with_(eigenvalues(), net=net, eigenvalues=[], next=0, halvings=0, side_order=[], vertex_order=[],
+                     at_most=[], at_least=[], eigenfunctions=[])
+    return {**document, "phases": phases(net["surface"]["gluing"])}
+
+
+@disguise()
+def sections_with_phases_written_otherwise():
+    """The same phases: one less than 0 is one more, and a third has a denominator of eighteen digits."""
+    return sections_with(["100000000000000000/300000000000000000", "-0", "0.000", "-0/7", "2/3", "0", "0", "0"])
+
+
+@disguise()
+def sections_of_the_conjugate_line_bundle():
+    """All phases have the other sign: the same eigenvalues, of conjugate sections."""
+    return sections_with(["-1/3", "0", "0", "0", "1/3", "0", "0", "0"])
+
+
+@refuted("phases")
+def sections_conjugate_on_one_side():
+    """A third of a turn across a side, and a third, not minus a third, on the way back."""
+    return sections_with(["1/3", "0", "0", "0", "1/3", "0", "0", "0"])
+
+
+@refuted("phases")
+def sections_with_a_phase_on_one_side_only():
+    """A phase across a side, and none on the way back."""
+    return sections_with(["1/3"] + ["0"] * 7)
+
+
+@refuted("phases")
+def sections_with_phases_that_nearly_fit():
+    """The phases of two sides add up to 10⁻¹⁸."""
+    return sections_with(["0.333333333333333333", "0", "0", "0", "-0.333333333333333332", "0", "0", "0"])
+
+
+@refuted("phases")
+def sections_with_phases_around_a_vertex():
+    """Sides fit in pairs, but a way around a vertex of Klein's map turns sections by a third."""
+    def phases(gluing):
+        t, k, other_t, other_k = gluing[0]
+        result = ["0"] * 168
+        result[7 * t + k], result[7 * other_t + other_k] = "1/3", "-1/3"
+        return result
+    return bundle_of_klein(phases)
+
+
+@disguise()
+def sections_with_phases_of_tiles():
+    """Phases across all sides of one heptagon of Klein's map: sections times a unit in this tile."""
+    def phases(gluing):
+        result = ["0"] * 168
+        for t, k, other_t, other_k in gluing:
+            if (t == 3) != (other_t == 3):
+                result[7 * t + k] = "0.2" if other_t == 3 else "-0.2"
+                result[7 * other_t + other_k] = "0.2" if t == 3 else "-0.2"
+        return result
+    return bundle_of_klein(phases)
+
+
+@forgery(NOT_MOST)
+def sections_of_a_line_bundle_turned_elsewhere():
+    """A third of a turn across side 1 instead of side 0: the eigenvalues are others."""
+    return sections_with(["0", "1/3", "0", "0", "0", "-1/3", "0", "0"])
+
+
+@forgery(NOT_MOST)
+def sections_of_a_half_for_those_of_a_third():
+    """The counts of a third of a turn for half a turn, which has λ_1 further down."""
+    return sections_with(eigenvalues("octagon-sections-of-a-half")["phases"])
+
+
+@forgery(NOT_MOST)
+def sections_without_any_turn():
+    """All phases are 0: the constants are sections, and 0 is an eigenvalue less than all that are said to be the first ones."""
+    return sections_with(["0"] * 8)
+
+
+@forgery(NOT_LEAST)
+def sections_that_are_functions():
+    """The counts of sections, said of functions: there is no phase in the file."""
+    document = eigenvalues(SECTIONS)
+    del document["phases"]
+    return document
+
+
+@forgery(NOT_LEAST)
+def sections_with_an_empty_list_of_phases():
+    """No phases in the list: functions again."""
+    return sections_with([])
+
+
+@forgery(NOT_MOST)
+def sections_one_less_below():
+    """There are two sections below the next eigenvalues, and it is said that there is one."""
+    document = eigenvalues(SECTIONS)
+    document["at_most"][2]["count"] = 1
+    return document
+
+
+@forgery(NOT_LEAST)
+def sections_one_more_below():
+    """As if the constants were counted, there are two eigenvalues in the first interval."""
+    document = eigenvalues(SECTIONS)
+    document["at_least"][0]["count"] = 2
+    document["at_most"][1]["count"] = 2
+    document["eigenvalues"] = [{**document["eigenvalues"][0], "count": 2}, document["eigenvalues"][2]]
+    return document
+
+
+@refuted("enclosures")
+def sections_from_the_second_one_on():
+    """λ_0 is left out, as it is for functions."""
+    document = eigenvalues(SECTIONS)
+    del document["eigenvalues"][0]
+    return document
+
+
+@malformed("phases")
+def sections_without_a_phase_of_the_last_side():
+    """Seven phases for eight sides."""
+    return sections_with(["1/3", "0", "0", "0", "-1/3", "0", "0"])
+
+
+@malformed("phases[0]")
+def sections_with_a_whole_turn():
+    """A phase is 1, which is 0 modulo 1, but not less than 1."""
+    return sections_with(["1", "0", "0", "0", "0", "0", "0", "0"])
+
+
+@malformed("phases[0]")
+def sections_with_an_exponent_in_a_phase():
+    """A phase is 5e-1, with an exponent."""
+    return sections_with(["5e-1", "0", "0", "0", "0.5", "0", "0", "0"])
+
+
+@malformed("phases[1]")
+def sections_with_a_common_denominator_of_19_digits():
+    """Denominators of ten digits each, without a common factor."""
+    return sections_with(["1/1000000007", "1/1000000009", "0", "0", "-1/1000000007", "-1/1000000009", "0", "0"])
+
+
+@malformed()
+def sections_with_numbers_for_phases():
+    """A phase is a number instead of a string."""
+    return sections_with([0.5, "0", "0", "0", "0.5", "0", "0", "0"])
+
+
+@malformed("eigenfunctions")
+def sections_with_a_real_function():
+    """The phases are 0, and a function proves an eigenvalue."""
+    return {**eigenvalues("octagon-5-with-a-function"), "phases": ["0"] * 8}
+
+
 @refuted("enclosures")
 def interval_later_by_a_unit():
     """An interval begins one unit in the last place later."""

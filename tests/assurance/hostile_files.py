@@ -749,6 +749,41 @@ def eigenvalues_of_a_matrix_in_the_order_of_its_sides():
     return divided(7, lambda size: list(range(size)))
 
 
+def sections_of(phases, halvings=5):
+    """Of an octagon of six triangles, with a count for a matrix of two rows for each side."""
+    result = divided(halvings, lambda size: list(range(size)))
+    return {**result, "phases": phases}
+
+
+@kind
+def sections_of_a_matrix_in_the_order_of_its_sides():
+    return sections_of(["0.12345678901234567", "1/3", "0", "0", "-0.12345678901234567", "-1/3", "0", "0"], 6)
+
+
+@kind
+def sections_with_a_phase_for_each_byte():
+    return sections_of(["0"] * 180_000, 0)
+
+
+@kind
+def sections_with_phases_of_huge_denominators():
+    return sections_of([f"1/{10**36 + k}" for k in range(20_000)], 0)
+
+
+@kind
+def sections_with_a_phase_of_500000_digits():
+    return sections_of([f"0.{digits(500_000)}"] + ["0"] * 7, 0)
+
+
+@kind
+def sections_along_long_words():
+    result = sections_of(["1/999999999999999989", "0", "0", "0", "-1/999999999999999989", "0", "0", "0"], 0)
+    labels = result["net"]["labels"]
+    word = labels[0][2]
+    labels[0] = [*labels[0][:2], word + [0, 4] * ((SIZE - 40_000) // 12)]
+    return result
+
+
 @kind
 def eigenvalues_of_many_functions():
     result = eigenvalues_file("octagon-5-with-a-function")

@@ -583,6 +583,39 @@ good eigenvalues s.json --below .25
 says '^eigenvalues in (0, 0.25): none$'
 good eigenvalues s.json --below 0.25 --json
 says '"below":{"least":0,"most":0,"bound":0.25}'
+# Phases: from lambda_0 on; every point of a path is a file that certify verifies.
+good eigenvalues s.json --count 1 --digits 1 --phases 0,1/3,-.25,0 -o phases.json
+verified phases.json
+says '^phases of the sides, in turns: 0 1/3 -1/4 0 0 -1/3 1/4 0$'
+says '^lambda_0 in \[[0-9.]*, [0-9.]*\], simple$'
+says '^eigenvalues less than 1/4: '
+good info phases.json
+says '^lambda_0 in '
+good draw phases.json -o drawn.svg
+bad 1 '^epsnet: 3 phases found, expected 4, those of the sides 0, 1, 2, 3$' eigenvalues s.json --phases 0,0,0
+bad 64 '^epsnet: --phases: expected a phase in turns, a decimal or a fraction such as 0.25 or -1/3, not "x"$' eigenvalues s.json --phases 0,0,0,x
+bad 64 '^epsnet: --phases: expected phases in turns' eigenvalues s.json --phases ''
+bad 64 '^epsnet: --digits: at most 3 with --phases, not 4$' eigenvalues s.json --phases 0,0,0,0 --digits 4
+mkdir kept
+good bands s.json --between G,1/2:0:0:0 --steps 2 --count 2 --digits 1 -o bands.csv --svg bands.svg --keep kept
+says '^0: phases 0 0 0 0, lambda_0 in \[0, '
+[ "$(wc -l <bands.csv)" -eq 7 ] || complain "lines of bands: $(wc -l <bands.csv)"
+head -n 1 bands.csv | grep -q '^step,phase_0,phase_1,phase_2,phase_3,band,lo,hi$' || complain "columns of bands: $(head -n 1 bands.csv)"
+grep -q '^1,1/4,0,0,0,0,0\.' bands.csv || complain 'no row of the middle of the path'
+grep -q 'class="band"' bands.svg || complain 'no bands in the picture'
+for i in 0 1 2; do verified kept/point-$i.json; done
+printf '0 0 0 0 # the origin\n1/4:0:0:0\n\n.5,0,0,0\n' >path.txt
+good bands s.json --path path.txt --count 2 --digits 1 -o same.csv --json
+same bands.csv same.csv
+says '"phases":\["1/4","0","0","0"\]'
+bad 64 '^epsnet: which points? Either --between or --path is needed$' bands s.json
+bad 64 '^epsnet: bands: --between excludes --path' bands s.json --path path.txt --between G
+bad 1 '^epsnet: --between: expected 4 phases for each point, not 1$' bands s.json --between G,1/2
+bad 64 '^epsnet: --between: expected a phase in turns' bands s.json --between G,H
+bad 1 '^epsnet: --keep: there is no folder nowhere$' bands s.json --between G --keep nowhere
+bad 64 '^epsnet: bands: --digits: expected an integer from 1 to 3, not "4"' bands s.json --between G --digits 4
+printf '0 0 0 0\n0 0 x 0\n' >wrong.txt
+bad 1 '^epsnet: wrong.txt:2: expected a phase in turns' bands s.json --path wrong.txt
 good systole s.json --epsilon .9
 fenchel="surface fenchel-nielsen --pants-graph ring --genus 2"
 # shellcheck disable=SC2086

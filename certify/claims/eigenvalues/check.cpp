@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "certify/base/text.h"
@@ -8,8 +10,10 @@
 #include "certify/claims/eigenvalues/enclosures.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/eigenvalues/forms.h"
+#include "certify/claims/eigenvalues/line_bundle.h"
 #include "certify/claims/net/claim.h"
 #include "certify/net/labels.h"
+#include "certify/net/numbering.h"
 #include "certify/net/structure.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/inertia.h"
@@ -99,6 +103,11 @@ Problem structure_problem(const Document& document) {
     return "halvings: " + std::to_string(document.halvings) + " is not a number from 0 to " +
            std::to_string(kMostHalvings);
   }
+  if (!document.phases.empty()) {
+    if (auto problem = phases_problem(document.phases, SurfaceSides(document.net.surface).partner.size()))
+      return problem;
+    if (!document.eigenfunctions.empty()) return "eigenfunctions: not empty, although there are phases";
+  }
   const HalvedSizes sizes = halved_sizes(document.net, document.halvings);
   if (auto problem = order_problem("side_order", document.side_order, !document.at_most.empty(), sizes.sides))
     return problem;
@@ -125,6 +134,7 @@ std::uint64_t least_bytes(const Document& document) {
   std::uint64_t bytes = least_bytes(document.net) + 100 + 20 * document.eigenvalues.size() +
                         2 * (document.side_order.size() + document.vertex_order.size()) + 35 * document.at_most.size() +
                         20 * document.at_least.size();
+  for (const std::string& phase : document.phases) bytes += 3 + phase.size();
   for (const Document::Eigenfunctions& row : document.eigenfunctions) {
     bytes += 50;
     for (const Document::Coefficients& coefficients : row.functions) bytes += 2 + 2 * coefficients.size();
@@ -138,6 +148,7 @@ using AtMost = EigenvaluesDocument::AtMost;
 using AtLeast = EigenvaluesDocument::AtLeast;
 using Eigenfunctions = EigenvaluesDocument::Eigenfunctions;
 
+constexpr const char* kPhases = "phases";
 constexpr const char* kMost = "most";
 constexpr const char* kLeast = "least";
 constexpr const char* kEigenfunctions = "eigenfunctions";
@@ -183,6 +194,79 @@ MatrixEntry entry(std::uint32_t i, std::uint32_t j, const Rounded& x, double sig
   return {std::max(i, j), std::min(i, j), value, above(errors + rounding)};
 }
 
+/// x times a number of absolute value at most 1.
+MatrixEntry multiple(const MatrixEntry& x, const Rounded& factor) {
+  const double value = x.value * factor.value;
+  const double errors = above(above(std::abs(x.value) * factor.error) + x.error);
+  return {x.row, x.column, value, above(errors + above(std::abs(value)) * 0x1p-52)};
+}
+
+/// The entries of the real symmetric matrix of a Hermitian form (docs/proof.md, section 17.3): of as many rows if all
+/// phases are multiples of ½, otherwise of two for each.
+class HermitianForm {
+ public:
+  /// A sum over so many triangles.
+  HermitianForm(const LineBundle& bundle, const Budget& budget, std::size_t triangles)
+      : bundle_(bundle), budget_(budget) {
+    const std::uint64_t entries = multiple_of_rows() == 1 ? 6 : 18;
+    budget.require(memory_work(16 * entries), triangles);
+    entries_.reserve(entries * triangles);
+  }
+
+  /// By how much there are more rows, and more negative eigenvalues, than of the form.
+  [[nodiscard]] std::uint32_t multiple_of_rows() const { return bundle_.denominator() <= 2 ? 1 : 2; }
+
+  /// Adds x e^{2πiφ} at the place of x, and its conjugate at the opposite one; on the diagonal its real part.
+  void add(const MatrixEntry& x, Phase phase) {
+    if (multiple_of_rows() == 1) {
+      entries_.push_back(x);
+      if (phase != 0) entries_.back().value = -x.value;  // Half a turn.
+      return;
+    }
+    const Turn& turn = turn_of(phase);
+    if (turn.cosine) add_twice(multiple(x, *turn.cosine));
+    if (turn.sine && x.row != x.column) add_across(multiple(x, *turn.sine));
+  }
+
+  /// Of so many rows.
+  [[nodiscard]] SparseMatrix matrix(std::size_t rows) && {
+    return {multiple_of_rows() * static_cast<std::uint32_t>(rows), std::move(entries_)};
+  }
+
+ private:
+  /// Nothing: exactly 0.
+  struct Turn {
+    std::optional<Rounded> cosine;
+    std::optional<Rounded> sine;
+  };
+
+  static std::optional<Rounded> unless_zero(const Ball& x) {
+    return is_exactly_zero(x) ? std::nullopt : std::optional<Rounded>(x);
+  }
+
+  const Turn& turn_of(Phase phase) {
+    const auto found = turns_.find(phase);
+    if (found != turns_.end()) return found->second;
+    budget_.spend(function_work(static_cast<std::uint64_t>(Precision::bits())) + memory_work(100));
+    const ComplexBall turn = bundle_.turn(phase);
+    return turns_.emplace(phase, Turn{unless_zero(real(turn)), unless_zero(imaginary(turn))}).first->second;
+  }
+
+  void add_twice(const MatrixEntry& x) {
+    for (const std::uint32_t part : {0U, 1U})
+      entries_.push_back({2 * x.row + part, 2 * x.column + part, x.value, x.error});
+  }
+  void add_across(const MatrixEntry& x) {
+    entries_.push_back({2 * x.row + 1, 2 * x.column, x.value, x.error});
+    entries_.push_back({2 * x.row, 2 * x.column + 1, -x.value, x.error});
+  }
+
+  const LineBundle& bundle_;
+  const Budget& budget_;
+  std::map<Phase, Turn> turns_;
+  std::vector<MatrixEntry> entries_;
+};
+
 class EigenvaluesCheck {
  public:
   EigenvaluesCheck(const EigenvaluesDocument& document, Verification& run, Crossings crossings)
@@ -191,9 +275,13 @@ class EigenvaluesCheck {
         threads_(run.threads()),
         budget_(run.budget()),
         parts_(label_parts(std::move(crossings), document.net.charts, run.budget())),
-        evaluator_(document.net, parts_) {}
+        evaluator_(document.net, parts_),
+        bundle_(document.phases),
+        left_out_(document.phases.empty() ? 1 : 0) {}
 
   void ask() {
+    // Of no line bundle there are no eigenvalues.
+    if (!document_.phases.empty() && run_.report(check_phases()) != Verdict::verified) return;
     run_.report(check_most());
     run_.report(check_least());
     run_.report(check_eigenfunctions());
@@ -205,6 +293,14 @@ class EigenvaluesCheck {
 
  private:
   using Numbers = std::vector<std::array<std::uint32_t, 3>>;
+  using Phases = std::vector<std::array<Phase, 3>>;
+
+  [[nodiscard]] RuleReport check_phases() const {
+    if (const auto problem = bundle_.problem(SurfaceSides(document_.net.surface)))
+      return {kPhases, Verdict::refuted, *problem};
+    return {kPhases, Verdict::verified,
+            "a flat line bundle, phases in multiples of 1/" + std::to_string(bundle_.denominator())};
+  }
 
   RuleReport check_most() {
     if (document_.at_most.empty()) return nothing_to_count(kMost);
@@ -219,7 +315,7 @@ class EigenvaluesCheck {
     for (const std::vector<Ball>& of_triangle : constants) {
       for (const Ball& constant : of_triangle) interpolation = max(interpolation, constant);
     }
-    const HalvedNet halved = halved_net(document_.net, document_.halvings);
+    const HalvedNet halved = halved_net(document_.net, document_.halvings, bundle_);
     const auto& rows = document_.at_most;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       progress(kMost, i, rows.size());
@@ -230,13 +326,12 @@ class EigenvaluesCheck {
             kMost, i,
             "the eigenvalues that are counted are those less than " + decimal_below(outer_interval(reached).lower));
       }
-      // 0 is counted, too.
-      const std::uint64_t most = std::uint64_t{rows[i].count} + 1;
-      const Inertia inertia = matrix(*forms, opposite_sides(halved.sides), document_.side_order, rows[i].sigma)
-                                  .negative_eigenvalues(Bound::upper, budget_, threads_, most);
-      if (!inertia.proved) return undecided(kMost, i, kTooNear);
-      if (inertia.negative > most)
-        return undecided(kMost, i, "at most " + std::to_string(inertia.negative - 1) + " follows");
+      const std::uint64_t most = std::uint64_t{rows[i].count} + left_out_;
+      const auto negative =
+          negative_eigenvalues(*forms, opposite_to_corners(halved.sides), opposite_to_corners(halved.side_phases),
+                               document_.side_order, rows[i].sigma, Bound::upper, most);
+      if (!negative) return undecided(kMost, i, kTooNear);
+      if (*negative > most) return undecided(kMost, i, "at most " + std::to_string(*negative - left_out_) + " follows");
     }
     return {kMost, Verdict::verified, counted(rows.size(), "count", "counts")};
   }
@@ -248,18 +343,18 @@ class EigenvaluesCheck {
       return TriangleForms{RoundedForm(triangle.greatest_energy()), RoundedForm(triangle.least_mass())};
     });
     if (!forms) return no_triangle(kLeast);
-    const HalvedNet halved = halved_net(document_.net, document_.halvings);
+    const HalvedNet halved = halved_net(document_.net, document_.halvings, bundle_);
     const auto& rows = document_.at_least;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       progress(kLeast, i, rows.size());
-      const std::uint64_t least = std::uint64_t{rows[i].count} + 1;
-      const Inertia inertia = matrix(*forms, halved.vertices, document_.vertex_order, rows[i].below)
-                                  .negative_eigenvalues(Bound::lower, budget_, threads_, least);
-      if (!inertia.proved) return undecided(kLeast, i, kTooNear);
-      if (inertia.negative < least) {
-        return undecided(
-            kLeast, i,
-            inertia.negative < 2 ? "nothing follows" : "at least " + std::to_string(inertia.negative - 1) + " follows");
+      const std::uint64_t least = std::uint64_t{rows[i].count} + left_out_;
+      const auto negative = negative_eigenvalues(*forms, halved.vertices, halved.vertex_phases, document_.vertex_order,
+                                                 rows[i].below, Bound::lower, least);
+      if (!negative) return undecided(kLeast, i, kTooNear);
+      if (*negative < least) {
+        return undecided(kLeast, i,
+                         *negative <= left_out_ ? "nothing follows"
+                                                : "at least " + std::to_string(*negative - left_out_) + " follows");
       }
     }
     return {kLeast, Verdict::verified, counted(rows.size(), "count", "counts")};
@@ -349,34 +444,56 @@ class EigenvaluesCheck {
     return result;
   }
 
-  /// 𝒜 − σ𝒩 for values with these numbers, eliminated in this order.
-  [[nodiscard]] SparseMatrix matrix(const std::vector<TriangleForms>& forms, const Numbers& numbers,
-                                    const EigenvaluesDocument::Order& order, double sigma) const {
-    budget_.require(memory_work(100), forms.size());
-    budget_.spend(500, forms.size());
+  /// A bound for how many negative eigenvalues 𝒜 − σ𝒩 has, for values with these numbers, eliminated in this order, in
+  /// frames from which these phases lead to those of the triangles; nothing if a pivot is too near to 0. `wanted` is a
+  /// bound that is enough.
+  [[nodiscard]] std::optional<std::uint64_t> negative_eigenvalues(const std::vector<TriangleForms>& forms,
+                                                                  const Numbers& numbers, const Phases& phases,
+                                                                  const EigenvaluesDocument::Order& order, double sigma,
+                                                                  Bound bound, std::uint64_t wanted) const {
+    HermitianForm form(bundle_, budget_, forms.size());
+    const std::uint64_t multiple = form.multiple_of_rows();
+    const SparseMatrix matrix = summed(std::move(form), forms, numbers, phases, order, sigma);
+    // The number is a multiple: 2n + 1 proves as much as 2n if it is an upper bound, 2n − 1 if it is a lower one.
+    const std::uint64_t enough =
+        bound == Bound::upper ? multiple * wanted + (multiple - 1) : multiple * wanted - (multiple - 1);
+    const Inertia inertia = matrix.negative_eigenvalues(bound, budget_, threads_, enough);
+    if (!inertia.proved) return std::nullopt;
+    return bound == Bound::upper ? inertia.negative / multiple : (inertia.negative + multiple - 1) / multiple;
+  }
+
+  [[nodiscard]] SparseMatrix summed(HermitianForm form, const std::vector<TriangleForms>& forms, const Numbers& numbers,
+                                    const Phases& phases, const EigenvaluesDocument::Order& order, double sigma) const {
+    budget_.spend(form.multiple_of_rows() == 1 ? 500 : 1500, forms.size());
     std::vector<std::uint32_t> place(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-    std::vector<MatrixEntry> entries;
-    entries.reserve(6 * forms.size());
     for (std::size_t t = 0; t < forms.size(); ++t) {
       const auto& [energy, mass] = forms[t];
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t own = place[numbers[t][i]];
-        entries.push_back(entry(own, own, energy.square[i], sigma, mass.square[i]));
-        const std::uint32_t j = place[numbers[t][(i + 1) % 3]];
-        const std::uint32_t k = place[numbers[t][(i + 2) % 3]];
-        entries.push_back(entry(j, k, energy.product[i], sigma, mass.product[i]));
+        form.add(entry(own, own, energy.square[i], sigma, mass.square[i]), 0);
+        const std::size_t second = (i + 1) % 3;
+        const std::size_t third = (i + 2) % 3;
+        const std::uint32_t j = place[numbers[t][second]];
+        const std::uint32_t k = place[numbers[t][third]];
+        // In the row of the conjugate of one value, the column of the other: from the row's frame to the column's.
+        const Phase phase = j > k ? bundle_.difference(phases[t][third], phases[t][second])
+                                  : bundle_.difference(phases[t][second], phases[t][third]);
+        const MatrixEntry product = entry(j, k, energy.product[i], sigma, mass.product[i]);
+        form.add(product, phase);
         // Both products of two values of one number are on the diagonal.
-        if (j == k) entries.push_back(entries.back());
+        if (j == k) form.add(product, phase);
       }
     }
-    return {static_cast<std::uint32_t>(order.size()), std::move(entries)};
+    return std::move(form).matrix(order.size());
   }
 
-  /// By triangle, the number of the side opposite to each corner.
-  [[nodiscard]] static Numbers opposite_sides(const Numbers& sides) {
-    Numbers result;
-    for (const auto& [first, second, third] : sides) result.push_back({second, third, first});
+  /// By triangle, what is said of the sides, of the side opposite to each corner.
+  template <class Value>
+  [[nodiscard]] static std::vector<std::array<Value, 3>> opposite_to_corners(
+      const std::vector<std::array<Value, 3>>& of_sides) {
+    std::vector<std::array<Value, 3>> result;
+    for (const auto& [first, second, third] : of_sides) result.push_back({second, third, first});
     return result;
   }
 
@@ -406,12 +523,20 @@ class EigenvaluesCheck {
   const Budget& budget_;
   LabelParts parts_;
   LabelEvaluator evaluator_;
+  LineBundle bundle_;
+  std::uint64_t left_out_;  ///< How many eigenvalues of the matrices are not counted: the 0 of the constants.
 };
 
 std::string text_of(const EigenvaluesDocument& document) {
   std::uint64_t count = 0;
   for (const EigenvaluesDocument::Enclosure& row : document.eigenvalues) count += row.count;
   const std::string rest = " at least " + decimal_below(document.next);
+  if (!document.phases.empty()) {
+    const std::string which = " of the Laplacian on sections of the flat line bundle of these phases";
+    if (count == 0) return "all eigenvalues" + which + " are" + rest;
+    return "the first " + counted(count, "eigenvalue", "eigenvalues") + which + ", with multiplicity, lie in " +
+           counted(document.eigenvalues.size(), "interval", "intervals") + ", all others are" + rest;
+  }
   if (count == 0) return "eigenvalues of the Laplacian, but 0, are" + rest;
   return "the first " + counted(count, "eigenvalue", "eigenvalues") +
          " of the Laplacian after 0, with multiplicity, lie in " +
@@ -420,7 +545,10 @@ std::string text_of(const EigenvaluesDocument& document) {
 
 }  // namespace
 
-RuleNames own_rules(const EigenvaluesDocument& /*document*/) { return {kMost, kLeast, kEigenfunctions, kEnclosures}; }
+RuleNames own_rules(const EigenvaluesDocument& document) {
+  if (document.phases.empty()) return {kMost, kLeast, kEigenfunctions, kEnclosures};
+  return {kPhases, kMost, kLeast, kEigenfunctions, kEnclosures};
+}
 
 Claim claim_of(const EigenvaluesDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "certify/base/interval.h"
@@ -8,8 +9,9 @@
 
 /// The contents of an eigenvalues file as plain data, member by member as docs/format.md defines them.
 ///
-/// Eigenvalues are those of the Laplacian −Δ, with multiplicity, without the eigenvalue 0 of the constant functions: λ₁
-/// ≤ λ₂ ≤ …. A document only states what a file says; nothing here is proved.
+/// Eigenvalues are those of the Laplacian −Δ, with multiplicity. Without `phases` they are those of functions, without
+/// the eigenvalue 0 of the constants: λ₁ ≤ λ₂ ≤ …. With `phases` they are those of the sections of a flat line bundle,
+/// all of them: λ₀ ≤ λ₁ ≤ …. A document only states what a file says; nothing here is proved.
 namespace epsnet::certify {
 
 /// An eigenvalues file: where the first eigenvalues are, and what proves it.
@@ -27,8 +29,8 @@ struct EigenvaluesDocument {
     bool operator==(const Enclosure&) const = default;
   };
 
-  /// At most `count` eigenvalues are less than `below`: K − `sigma` N, with a row for each side, has at most one more
-  /// negative eigenvalue.
+  /// At most `count` eigenvalues are less than `below`: K − `sigma` N, with a row for each side, has at most so many
+  /// negative eigenvalues, or one more without `phases`.
   struct AtMost {
     double below = 0;
     std::uint32_t count = 0;
@@ -36,8 +38,8 @@ struct EigenvaluesDocument {
     bool operator==(const AtMost&) const = default;
   };
 
-  /// At least `count` eigenvalues are less than `below`: K′ − `below` N′, with a row for each vertex, has at least one
-  /// more negative eigenvalue.
+  /// At least `count` eigenvalues are less than `below`: K′ − `below` N′, with a row for each vertex, has at least so
+  /// many negative eigenvalues, or one more without `phases`.
   struct AtLeast {
     double below = 0;
     std::uint32_t count = 1;
@@ -55,7 +57,10 @@ struct EigenvaluesDocument {
   };
 
   NetDocument net;
-  std::vector<Enclosure> eigenvalues;  ///< From λ₁ on.
+  /// By side of the surface: a decimal without exponent or a rational, exactly as written, in turns. A section is
+  /// multiplied by e^{2πiθ} across a side of phase θ. Empty: functions.
+  std::vector<std::string> phases;
+  std::vector<Enclosure> eigenvalues;  ///< From λ₁ on, or from λ₀ on with `phases`.
   double next = 0;                     ///< All others are at least that.
   std::uint32_t halvings = 0;          ///< So many times triangles of the net are divided into four.
   Order side_order;                    ///< In which rows are eliminated.

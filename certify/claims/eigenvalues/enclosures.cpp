@@ -70,7 +70,9 @@ std::int64_t CountedEigenvalues::most_below(double x) const {
 
 Problem CountedEigenvalues::problem() const {
   std::int64_t before = 0;
-  const auto index = [](std::int64_t n) { return "lambda_" + std::to_string(n); };
+  // The n-th of those that are counted, from lambda_0 on if there are phases.
+  const std::int64_t first = document_.phases.empty() ? 1 : 0;
+  const auto index = [&](std::int64_t n) { return "lambda_" + std::to_string(n - 1 + first); };
   for (std::size_t i = 0; i < document_.eigenvalues.size(); ++i) {
     const auto& [in, count] = document_.eigenvalues[i];
     const std::string row = "eigenvalues[" + std::to_string(i) + "]: that ";

@@ -40,18 +40,19 @@ template <>
 struct Fields<EigenvaluesDocument> {
   static constexpr ClaimKind kKind{"eigenvalues", "epsnet-eigenvalues", "eigenvalues",
                                    "An eigenvalues file claims in which intervals the first eigenvalues of the\n"
-                                   "Laplacian lie, with multiplicity, and from where on all others.",
+                                   "Laplacian lie, with multiplicity, and from where on all others; of functions,\n"
+                                   "or of the sections of a flat line bundle.",
                                    17};
   static constexpr const char* kName = "eigenvalues file";
   static constexpr const char* kPrefix = "";
   static auto members(auto& document) {
     return std::tuple_cat(
         format_and_version(kKind.format),
-        std::tuple(member("net", document.net), member("eigenvalues", document.eigenvalues),
-                   member("next", document.next), member("halvings", document.halvings),
-                   member("side_order", List{document.side_order}), member("vertex_order", List{document.vertex_order}),
-                   member("at_most", document.at_most), member("at_least", document.at_least),
-                   member("eigenfunctions", document.eigenfunctions)));
+        std::tuple(member("net", document.net), member("phases", document.phases).optional(),
+                   member("eigenvalues", document.eigenvalues), member("next", document.next),
+                   member("halvings", document.halvings), member("side_order", List{document.side_order}),
+                   member("vertex_order", List{document.vertex_order}), member("at_most", document.at_most),
+                   member("at_least", document.at_least), member("eigenfunctions", document.eigenfunctions)));
   }
 };
 
@@ -59,7 +60,8 @@ struct Fields<EigenvaluesDocument> {
 
 struct Claim;
 
-/// What an eigenvalues document must satisfy before any rule makes sense: a net without collars; orders that are
+/// What an eigenvalues document must satisfy before any rule makes sense: a net without collars; phases, if there are
+/// any, for all sides (see phases_problem), and then no eigenfunctions; orders that are
 /// permutations of the sides and vertices of the halved triangles, where they are needed; 0 < `below` ≤ `sigma`;
 /// intervals 0 ≤ lo ≤ hi; for each eigenfunction 2M + 1 finite coefficients by vertex, M from 1 to 200, not all 0, a
 /// radius of more than ε and less than 2, 0 < lower end ≤ λ ≤ upper end, intervals in increasing order and disjoint.
@@ -72,6 +74,7 @@ struct Claim;
 
 /// The names of its own rules, in order:
 ///
+/// * `phases`, if there are any: they are those of a flat line bundle;
 /// * `most`, `least`: the counts of `at_most` and `at_least`, by the inertia of matrices; never refuted;
 /// * `eigenfunctions`: the functions of each row prove as many eigenvalues in its interval; never refuted;
 /// * `enclosures`: what is claimed of λ₁, λ₂, … follows from these.

@@ -6,11 +6,21 @@
 namespace epsnet::certify {
 namespace {
 
-/// By dart its opposite, and by triangle its vertices.
+/// By dart its opposite, and by triangle its vertices and the phases from their frames to the triangle's.
 struct Triangles {
   std::vector<std::uint32_t> opposite;
   std::vector<std::array<std::uint32_t, 3>> vertices;
+  std::vector<std::array<Phase, 3>> phases;
 };
+
+/// From the frame of a dart's side, which is that of the triangle of the smaller of its two darts, to that of the
+/// dart's triangle: by the end of the side where the dart starts.
+Phase side_phase(const Triangles& triangles, std::uint32_t dart, const LineBundle& bundle) {
+  const std::uint32_t other = triangles.opposite[dart];
+  if (dart < other) return 0;
+  const std::uint32_t same = next_dart(other);
+  return bundle.difference(triangles.phases[dart / 3][dart % 3], triangles.phases[same / 3][same % 3]);
+}
 
 /// By dart the number of its side: the place of the smaller of its two darts among all of these.
 std::vector<std::uint32_t> sides_of(const std::vector<std::uint32_t>& opposite) {
@@ -21,12 +31,14 @@ std::vector<std::uint32_t> sides_of(const std::vector<std::uint32_t>& opposite) 
   return result;
 }
 
-/// Triangle t becomes 4t + i = (v_i, m_i, m_{i−1}), and 4t + 3 = (m_0, m_1, m_2).
-Triangles halved(const Triangles& whole, std::uint32_t vertices) {
+/// Triangle t becomes 4t + i = (v_i, m_i, m_{i−1}), and 4t + 3 = (m_0, m_1, m_2). These have its frame, and m_i that of
+/// its side.
+Triangles halved(const Triangles& whole, std::uint32_t vertices, const LineBundle& bundle) {
   const std::vector<std::uint32_t> side = sides_of(whole.opposite);
   Triangles result;
   result.opposite.resize(4 * whole.opposite.size());
   result.vertices.resize(4 * whole.vertices.size());
+  result.phases.resize(4 * whole.phases.size());
   for (std::uint32_t dart = 0; dart < whole.opposite.size(); ++dart) {
     const std::uint32_t t = dart / 3;
     const std::uint32_t i = dart % 3;
@@ -36,6 +48,9 @@ Triangles halved(const Triangles& whole, std::uint32_t vertices) {
     const std::uint32_t middle = vertices + side[dart];
     result.vertices[small] = {whole.vertices[t][i], middle, vertices + side[3 * t + before]};
     result.vertices[inner][i] = middle;
+    const Phase middle_phase = side_phase(whole, dart, bundle);
+    result.phases[small] = {whole.phases[t][i], middle_phase, side_phase(whole, 3 * t + before, bundle)};
+    result.phases[inner][i] = middle_phase;
     // The half of the dart at corner i, and the other half of its opposite, at the corner where that ends.
     const std::uint32_t across = whole.opposite[dart];
     const std::uint32_t other = 3 * (4 * (across / 3) + next_dart(across) % 3) + 2;
@@ -84,19 +99,27 @@ HalvedSizes halved_sizes(const NetDocument& net, std::uint32_t halvings) {
   return {sides, vertices};
 }
 
-HalvedNet halved_net(const NetDocument& net, std::uint32_t halvings) {
+HalvedNet halved_net(const NetDocument& net, std::uint32_t halvings, const LineBundle& bundle) {
+  std::vector<Phase> of_label{0};  // By number.
+  for (const NetDocument::Label& label : net.labels) of_label.push_back(bundle.of(label.word));
   Triangles triangles;
   for (const NetDocument::Triangle& triangle : net.triangles) {
     triangles.opposite.insert(triangles.opposite.end(), triangle.opposite.begin(), triangle.opposite.end());
     triangles.vertices.push_back(triangle.vertex);
+    const auto& [second, third] = triangle.label;
+    triangles.phases.push_back({0, of_label[second], of_label[third]});
   }
   for (std::uint32_t i = 0; i < halvings; ++i)
-    triangles = halved(triangles, static_cast<std::uint32_t>(halved_sizes(net, i).vertices));
+    triangles = halved(triangles, static_cast<std::uint32_t>(halved_sizes(net, i).vertices), bundle);
   HalvedNet result;
   const std::vector<std::uint32_t> side = sides_of(triangles.opposite);
-  for (std::size_t dart = 0; dart < side.size(); dart += 3)
+  for (std::uint32_t dart = 0; dart < side.size(); dart += 3) {
     result.sides.push_back({side[dart], side[dart + 1], side[dart + 2]});
+    result.side_phases.push_back({side_phase(triangles, dart, bundle), side_phase(triangles, dart + 1, bundle),
+                                  side_phase(triangles, dart + 2, bundle)});
+  }
   result.vertices = std::move(triangles.vertices);
+  result.vertex_phases = std::move(triangles.phases);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "certify/claims/eigenvalues/line_bundle.h"
 #include "certify/net/document.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/isometry.h"
@@ -29,10 +30,15 @@ struct HalvedNet {
   /// By triangle: the number of the side from corner i to corner i + 1, and of the vertex at corner i.
   std::vector<std::array<std::uint32_t, 3>> sides;
   std::vector<std::array<std::uint32_t, 3>> vertices;
+  /// The phase of what leads from values of sections in the frame of the side, or vertex, to those in the triangle's
+  /// (docs/proof.md, section 17.3).
+  std::vector<std::array<Phase, 3>> side_phases;
+  std::vector<std::array<Phase, 3>> vertex_phases;
 };
 
-/// O(number of triangles). Requires: the rule `map` is verified; the sizes are less than 2³⁰.
-[[nodiscard]] HalvedNet halved_net(const NetDocument& net, std::uint32_t halvings);
+/// O(number of triangles and of letters of the labels). Requires: the rule `map` is verified, and `phases` if there are
+/// any; the sizes are less than 2³⁰.
+[[nodiscard]] HalvedNet halved_net(const NetDocument& net, std::uint32_t halvings, const LineBundle& bundle = {});
 
 /// By triangle of the halved net that triangle `t` of the net contains, 4^halvings of them: the squares of the sides of
 /// its flat triangle, 4 sinh²(d/2), the one opposite to corner i at i. Balls round to the precision of the caller.

@@ -1,0 +1,293 @@
+#include <array>
+#include <functional>
+#include <gtest/gtest.h>
+#include <random>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/claims/eigenvalues/fields.h"
+#include "certify/exact/checker.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/net/numbering.h"
+
+/// Eigenvalues files with phases, in both checkers: sections of flat line bundles (docs/proof.md, section 17.3).
+namespace epsnet::exact::second_checker_sections_test {
+namespace {
+
+using Document = certify::EigenvaluesDocument;
+using Phases = std::vector<std::string>;
+
+Document file(const std::string& name) {
+  return certify::read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/" + name + ".json");
+}
+
+/// The octagon of octagon-5.json, a third or half of a turn across side 0. Its eigenvalues and those of the complex
+/// conjugate are those of the cyclic cover of three (two) sheets across this side that are not the octagon's: of the
+/// third 0.2873, 1.6175, three from 4.05 to 5.12, and nothing else up to 5.48; of the half 0.4610, 1.2867, three from
+/// 4.07 to 5.11, and 5.96.
+Document third() { return file("octagon-sections-of-a-third"); }
+Document half() { return file("octagon-sections-of-a-half"); }
+
+std::string text(const Document& document) {
+  std::ostringstream out;
+  certify::write_file(document, out);
+  return out.str();
+}
+
+constexpr std::array<const char*, 4> kVerdicts{"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
+
+std::string named(const char* verdict, const std::string& rule) {
+  return verdict + (rule.empty() || rule == "structure" ? "" : ": " + rule);
+}
+
+/// "VERDICT", or "VERDICT: rule", on which both checkers agree.
+std::string outcome(const Document& document) {
+  const certify::Certificate first = certify::check(document, {.threads = 1});
+  const Result second = check(text(document));
+  const std::string result = named(kVerdicts.at(static_cast<std::size_t>(first.verdict)), first.rule);
+  EXPECT_EQ(named(kVerdicts.at(static_cast<std::size_t>(second.verdict)), second.rule), result) << second.message;
+  return result;
+}
+
+std::string changed(const std::function<void(Document&)>& change) {
+  Document document = third();
+  change(document);
+  return outcome(document);
+}
+
+std::string message(const Document& document) { return certify::check(document, {.threads = 1}).message; }
+
+void remove_counts(Document& document) {
+  document.eigenvalues.clear();
+  document.next = 0;
+  document.at_most.clear();
+  document.at_least.clear();
+  document.side_order.clear();
+  document.vertex_order.clear();
+}
+
+TEST(Sections, OfTrueFilesAreVerified) {
+  EXPECT_EQ(outcome(third()), "VERIFIED");
+  EXPECT_EQ(outcome(half()), "VERIFIED");
+}
+
+TEST(Sections, HaveTheEigenvaluesThatACoverHasBesideThoseOfFunctions) {
+  const auto expect_in = [](const Document& document, double first, double second) {
+    ASSERT_EQ(document.eigenvalues.size(), 3U);
+    for (const auto& [row, value] : {std::pair(document.eigenvalues[0], first), {document.eigenvalues[1], second}}) {
+      EXPECT_EQ(row.count, 1U);
+      EXPECT_LT(row.in.lower, value);
+      EXPECT_GT(row.in.upper, value);
+    }
+    EXPECT_EQ(document.eigenvalues[2].count, 3U);
+  };
+  expect_in(third(), 0.2873, 1.6175);
+  expect_in(half(), 0.4610, 1.2867);
+}
+
+TEST(Sections, TheClaimIsNotOneOfFunctions) {
+  EXPECT_EQ(certify::check(third(), {.threads = 1}).claim,
+            "the first 5 eigenvalues of the Laplacian on sections of the flat line bundle of these phases, with "
+            "multiplicity, lie in 3 intervals, all others are at least 5.0706557779780139");
+  Document document = third();
+  remove_counts(document);
+  EXPECT_EQ(certify::check(document, {.threads = 1}).claim,
+            "all eigenvalues of the Laplacian on sections of the flat line bundle of these phases are at least 0");
+}
+
+TEST(Sections, EachCountIsAsGoodAsTheMatrices) {
+  for (const auto& make : {third, half}) {
+    for (const std::size_t i : {1U, 2U, 3U}) {
+      Document document = make();
+      --document.at_most[i].count;
+      EXPECT_EQ(outcome(document), "UNDECIDED: most") << i;
+      document = make();
+      ++document.at_least[i - 1].count;
+      EXPECT_EQ(outcome(document), "UNDECIDED: least") << i;
+      document = make();
+      document.at_most[i].sigma *= 1.3;
+      document.at_least[i - 1].below *= 0.9;
+      EXPECT_EQ(outcome(document), "UNDECIDED: most") << i;
+      document.at_most[i].sigma /= 1.3;
+      EXPECT_EQ(outcome(document), "UNDECIDED: least") << i;
+    }
+  }
+  Document document = third();
+  --document.at_most[3].count;
+  EXPECT_EQ(message(document), "at_most[3]: at most 5 follows");
+  document = third();
+  ++document.at_least[2].count;
+  EXPECT_EQ(message(document), "at_least[2]: at least 5 follows");
+  document = third();
+  document.at_least[0].below = 0.25;
+  EXPECT_EQ(message(document), "at_least[0]: nothing follows");
+}
+
+TEST(Sections, RowsOfEigenvaluesBeginWithTheFirstOne) {
+  Document document = third();
+  document.eigenvalues.erase(document.eigenvalues.begin());
+  EXPECT_EQ(outcome(document), "REFUTED: enclosures");
+  EXPECT_EQ(message(document), "eigenvalues[0]: that lambda_0 is at least 1.5656416984925787 does not follow");
+}
+
+TEST(Sections, OfConjugatePhasesHaveTheSameEigenvalues) {
+  EXPECT_EQ(changed([](Document& d) { d.phases = {"-1/3", "0", "0", "0", "1/3", "0", "0", "0"}; }), "VERIFIED");
+  EXPECT_EQ(changed([](Document& d) { d.phases = {"2/3", "0", "0", "0", "1/3", "0", "0", "0"}; }), "VERIFIED");
+}
+
+TEST(Sections, OfOtherPhasesHaveOtherEigenvalues) {
+  EXPECT_EQ(changed([](Document& d) { d.phases = {"0", "1/3", "0", "0", "0", "-1/3", "0", "0"}; }), "UNDECIDED: most");
+  EXPECT_EQ(changed([](Document& d) { d.phases = half().phases; }), "UNDECIDED: most");
+  EXPECT_EQ(changed([](Document& d) { d.phases = Phases(8, "0"); }), "UNDECIDED: most");
+  // Functions: λ_0 is not counted.
+  EXPECT_EQ(changed([](Document& d) { d.phases.clear(); }), "UNDECIDED: least");
+}
+
+/// Functions are sections without phases, but for the 0 of the constants.
+TEST(Sections, WithoutPhasesAreFunctions) {
+  Document document = file("octagon-5");
+  document.phases = Phases(8, "0");
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+  for (auto& row : document.at_most) ++row.count;
+  for (auto& row : document.at_least) ++row.count;
+  EXPECT_EQ(outcome(document), "REFUTED: enclosures");
+  document.eigenvalues.insert(document.eigenvalues.begin(), Document::Enclosure{{0, 0.01}, 1});
+  EXPECT_EQ(outcome(document), "REFUTED: enclosures");
+  document.at_least.push_back({0.01, 1});
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+/// Both products of two values of one number are in the diagonal: all three corners of a triangle are one vertex.
+TEST(Sections, OfOneVertexAreNoConstants) {
+  Document document = file("octagon-5-of-one-vertex");
+  remove_counts(document);
+  document.halvings = 0;
+  document.vertex_order = {0};
+  document.at_least = {{0.01, 1}};
+  document.phases = Phases(8, "0");
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.phases = {"0.3", "0", "0", "0", "-0.3", "0", "0", "0"};
+  EXPECT_EQ(outcome(document), "UNDECIDED: least");
+  document.phases = {"1/2", "0", "0", "0", "1/2", "0", "0", "0"};
+  EXPECT_EQ(outcome(document), "UNDECIDED: least");
+}
+
+// The rule `phases`.
+
+TEST(Phases, OfGluedSidesAddUpToAnInteger) {
+  const auto broken = [](const Phases& phases) {
+    Document document = third();
+    document.phases = phases;
+    EXPECT_EQ(outcome(document), "REFUTED: phases");
+    return message(document);
+  };
+  EXPECT_EQ(broken({"1/3", "0", "0", "0", "1/3", "0", "0", "0"}),
+            "those of side 0 of tile 0 and side 4 of tile 0 add up to 2/3 modulo 1, not to an integer");
+  EXPECT_EQ(broken({"1/3", "0", "0", "0", "0", "0", "0", "0"}),
+            "those of side 0 of tile 0 and side 4 of tile 0 add up to 1/3 modulo 1, not to an integer");
+  EXPECT_EQ(broken({"1/3", "0", "0", "0", "-1/3", "0", "0", "0.000000000000001"}),
+            "those of side 3 of tile 0 and side 7 of tile 0 add up to 1/1000000000000000 modulo 1, not to an integer");
+}
+
+/// Klein's quartic, made of 24 heptagons, with phases and the net's matrices.
+Document klein(const Phases& phases) {
+  Document document;
+  document.net =
+      certify::read_file<certify::NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/map-klein.json");
+  document.phases = phases;
+  return document;
+}
+
+/// Phases that make no difference: f_t times a unit for each tile.
+Phases gauge(const certify::SurfaceSides& sides, int denominator) {
+  std::mt19937 random(5);  // NOLINT: the same in every run.
+  std::vector<int> turns(sides.first.size());
+  for (int& turn : turns) turn = static_cast<int>(random() % static_cast<unsigned>(denominator));
+  Phases phases;
+  for (std::size_t s = 0; s < sides.partner.size(); ++s) {
+    const int phase = turns[sides.tile[sides.partner[s]]] - turns[sides.tile[s]];
+    phases.push_back(std::to_string(phase) + "/" + std::to_string(denominator));
+  }
+  return phases;
+}
+
+TEST(Phases, AroundVerticesAddUpToAnInteger) {
+  const certify::SurfaceSides sides(klein({}).net.surface);
+  for (const std::uint32_t first : sides.vertices()) {
+    // Of the sides of one vertex one changes, with its partner; the vertex at its other end is wrong then, too.
+    Phases phases = gauge(sides, 5);
+    EXPECT_EQ(outcome(klein(phases)), "VERIFIED");
+    phases[first] = phases[sides.partner[first]] = "0.5";
+    const Document document = klein(phases);
+    EXPECT_EQ(outcome(document), "REFUTED: phases");
+    EXPECT_NE(message(document).find("around vertex"), std::string::npos) << message(document);
+    if (first > 10) break;
+  }
+}
+
+/// Multiplied by a unit in each tile, sections are functions: the least eigenvalue is 0, and one is less than 0.1; the
+/// next one is 2.678.
+TEST(Sections, DoNotDependOnTheUnitsOfTiles) {
+  const certify::SurfaceSides sides(klein({}).net.surface);
+  for (const int denominator : {2, 4, 7}) {
+    Document document = klein(gauge(sides, denominator));
+    for (const std::uint32_t halvings : {0U, 1U}) {
+      document.halvings = halvings;
+      const std::size_t vertices = halvings == 0 ? 24 : 24 + 84;
+      const std::size_t edges = halvings == 0 ? 84 : 336;
+      document.side_order.resize(edges);
+      document.vertex_order.resize(vertices);
+      for (std::uint32_t i = 0; i < edges; ++i) document.side_order[i] = i;
+      for (std::uint32_t i = 0; i < vertices; ++i) document.vertex_order[i] = i;
+      document.at_most = {{1, 1, 2}};
+      document.at_least = {{0.1, 1}};
+      EXPECT_EQ(outcome(document), "VERIFIED") << denominator << ' ' << halvings;
+      document.at_most[0].count = 0;
+      EXPECT_EQ(outcome(document), "UNDECIDED: most") << denominator << ' ' << halvings;
+      document.at_most[0].count = 1;
+      document.at_least[0].count = 2;
+      EXPECT_EQ(outcome(document), "UNDECIDED: least") << denominator << ' ' << halvings;
+    }
+  }
+}
+
+// Structure.
+
+TEST(Phases, AreWrittenInFewCharactersAndHaveACommonDenominator) {
+  const auto with = [](const char* phase) {
+    return changed([&](Document& d) {
+      remove_counts(d);
+      d.phases = {phase, "0", "0", "0", std::string("-") + phase, "0", "0", "0"};
+    });
+  };
+  EXPECT_EQ(with("0.123456789012345678"), "VERIFIED");
+  EXPECT_EQ(with("123456789012345677/1000000000000000000"), "VERIFIED");
+  EXPECT_EQ(with("0.50000000000000000000000000000000000000"), "MALFORMED");  // With the minus: 41 characters.
+  EXPECT_EQ(with("0.1234567890123456789"), "MALFORMED");
+  for (const char* phase : {"1", "1.0", "3/2", "1e-1", "1E0", "x", "1/0", "0x1", ".5"})
+    EXPECT_EQ(with(phase), "MALFORMED") << phase;
+  EXPECT_EQ(changed([](Document& d) {
+              remove_counts(d);
+              d.phases = {"1/1000000007", "1/1000000009", "0", "0", "-1/1000000007", "-1/1000000009", "0", "0"};
+            }),
+            "MALFORMED");
+}
+
+TEST(Phases, AreThoseOfAllSides) {
+  EXPECT_EQ(changed([](Document& d) { d.phases.pop_back(); }), "MALFORMED");
+  EXPECT_EQ(changed([](Document& d) { d.phases.emplace_back("0"); }), "MALFORMED");
+  EXPECT_EQ(changed([](Document& d) { d.phases = {"0"}; }), "MALFORMED");
+}
+
+TEST(Phases, AndEigenfunctionsAreNotInOneFile) {
+  Document document = file("octagon-5-with-a-function");
+  document.phases = Phases(8, "0");
+  EXPECT_EQ(outcome(document), "MALFORMED");
+}
+
+}  // namespace
+}  // namespace epsnet::exact::second_checker_sections_test

@@ -1,0 +1,406 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/check.h"
+#include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/eigenvalues/elements.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/pictures/pictures.h"
+#include "netgen/surfaces/characters.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/group.h"
+#include "netgen/surfaces/surfaces.h"
+
+/// Eigenvalues with phases: matrices, enclosures, bands.
+namespace epsnet::phases_test {
+namespace {
+
+using certify::EigenvaluesDocument;
+using certify::Interval;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+Surface octagon() { return random_octagon(5); }
+Surface bolza() { return Surface::regular(2); }
+/// Genus 3, of 24 heptagons, three of which meet at each vertex.
+Surface klein() { return named_surface("klein"); }
+Surface of_genus(std::uint32_t genus) {
+  FenchelNielsenRequest request;
+  request.genus = genus;
+  request.seed = 1;
+  return fenchel_nielsen_surface(resolve(request));
+}
+
+TorusPoint point(const std::vector<std::string>& turns) {
+  TorusPoint result;
+  for (const std::string& text : turns) result.push_back(parse_turns(text));
+  return result;
+}
+/// With one phase that is not 0, by default the first one.
+TorusPoint one_phase(const Surface& surface, const Rational& turns, std::size_t which = 0) {
+  TorusPoint result(2 * surface.genus(), Rational(0));
+  result[which] = turns;
+  return result;
+}
+TorusPoint times(const TorusPoint& of, int factor) {
+  TorusPoint result;
+  for (const Rational& turns : of) result.push_back(factor * turns);
+  return result;
+}
+
+// Matrices.
+
+const std::vector<std::pair<std::string, Surface>>& surfaces() {
+  static const std::vector<std::pair<std::string, Surface>> result{
+      {"octagon", octagon()},
+      {"Bolza", bolza()},
+      {"Klein", klein()},
+      {"genus 4", of_genus(4)},
+      {"cover", cover(octagon(), random_sheets(octagon(), 3, 1))}};
+  return result;
+}
+
+bool is_whole(const Rational& x) { return denominator(x) == 1; }
+
+using Hermitian = Eigen::MatrixXcd;
+
+Hermitian whole(const Eigen::SparseMatrix<double>& real, const Eigen::SparseMatrix<double>& imaginary) {
+  const std::complex<double> i(0, 1);
+  Hermitian half = Eigen::MatrixXd(real).cast<std::complex<double>>();
+  if (imaginary.size() > 0) half += i * Eigen::MatrixXd(imaginary).cast<std::complex<double>>();
+  return half.selfadjointView<Eigen::Lower>();
+}
+
+std::vector<double> turns_of(const certify::NetDocument& net, const ById<SideId, Rational>& phases) {
+  std::vector<double> result{0};
+  for (const auto& label : net.labels) result.push_back(phase_of_word(phases, label.word));
+  return result;
+}
+
+/// The matrices of all eigenvalues by Eigen's dense method.
+std::vector<double> dense_eigenvalues(const ElementMatrices& matrices) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Hermitian> solver(whole(matrices.energy, matrices.imaginary_energy),
+                                                                   whole(matrices.mass, matrices.imaginary_mass));
+  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+}
+
+TEST(PhasedElements, HaveTheEigenvaluesOfTheDenseMatrices) {
+  for (const auto& [name, surface] : surfaces()) {
+    for (const Rational& turns : {Rational(0), Rational(1, 2), Rational(1, 3), Rational(1, 4)}) {
+      const certify::NetDocument net = compute_net(surface, Length("1")).document;
+      TorusPoint character = one_phase(surface, turns);
+      character.back() = 2 * turns;
+      // Dense matrices of more rows take long.
+      const std::uint32_t halvings = net.triangles.size() < 50 ? 1 : 0;
+      const Elements elements(NetGeometry(net), halvings, turns_of(net, phases_of_sides(surface, character)));
+      for (const ElementMatrices& matrices : {elements.lower(), elements.upper()}) {
+        EXPECT_EQ(matrices.is_real(), is_whole(2 * turns)) << name << ' ' << turns;
+        const std::vector<double> expected = dense_eigenvalues(matrices);
+        const std::vector<std::uint32_t> order = elimination_order(matrices.energy);
+        const DiscreteSpectrum found = first_eigenvalues(matrices, order, 8);
+        ASSERT_EQ(found.values.size(), 8U);
+        for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(found.values[k], expected[k], 1e-6) << name << ' ' << turns;
+        for (std::size_t k = 1; k < 8; ++k) {
+          if (expected[k] - expected[k - 1] < 1e-3) continue;
+          const double between = (expected[k] + expected[k - 1]) / 2;
+          for (const auto bound : {certify::Bound::lower, certify::Bound::upper})
+            EXPECT_EQ(inertia(matrices, order, between, bound, 1).negative, k) << name << ' ' << turns;
+        }
+      }
+    }
+  }
+}
+
+/// One vertex: both ends of each side are the same.
+TEST(PhasedElements, OfANetOfOneVertexHaveTheEigenvaluesOfTheDenseMatrices) {
+  const Surface surface = octagon();
+  const certify::NetDocument net = compute_net(surface, Length("3")).document;
+  ASSERT_EQ(net.vertices.size(), 1U);
+  const std::vector<double> turns = turns_of(net, phases_of_sides(surface, point({"1/3", "1/5", "0", "1/7"})));
+  // f is the function of one value, so its energy is positive; it is the same of the matrix that is halved.
+  const ElementMatrices once = Elements(NetGeometry(net), 0, turns).upper();
+  EXPECT_TRUE(once.is_real());
+  EXPECT_GT(once.energy.coeff(0, 0), 0);
+  double before = once.energy.coeff(0, 0) / once.mass.coeff(0, 0);
+  for (const std::uint32_t halvings : {1U, 2U, 3U}) {
+    const double least = dense_eigenvalues(Elements(NetGeometry(net), halvings, turns).upper()).front();
+    EXPECT_LT(least, before);
+    before = least;
+  }
+  const EigenvaluesDocument document =
+      unproved::eigenvalues(surface, {.count = 1, .digits = 2, .phases = point({"1/3", "1/5", "0", "1/7"})});
+  EXPECT_NEAR(before / document.eigenvalues.front().in.upper, 1, 0.1);
+}
+
+TEST(PhasedElements, WithoutPhasesAreThoseOfFunctions) {
+  const certify::NetDocument net = compute_net(klein(), Length("1")).document;
+  const NetGeometry geometry(net);
+  const std::vector<double> zeros(net.labels.size() + 1, 0.0);
+  for (const std::uint32_t halvings : {0U, 2U}) {
+    const ElementMatrices with = Elements(geometry, halvings, zeros).lower();
+    const ElementMatrices without = Elements(geometry, halvings).lower();
+    EXPECT_TRUE(with.is_real());
+    EXPECT_EQ((with.energy - without.energy).norm(), 0);
+    EXPECT_EQ((with.mass - without.mass).norm(), 0);
+  }
+}
+
+// Eigenvalues.
+
+void expect_verified(const EigenvaluesDocument& document) {
+  const certify::Certificate certificate = certify::check(document, {.threads = 2, .max_work = 100'000'000'000});
+  EXPECT_EQ(certificate.verdict, certify::Verdict::verified) << certify::verdict_line(certificate);
+}
+
+/// One interval for each eigenvalue.
+std::vector<Interval> intervals(const EigenvaluesDocument& document) {
+  std::vector<Interval> result;
+  for (const auto& [in, count] : document.eigenvalues) result.insert(result.end(), count, in);
+  return result;
+}
+
+/// The kth eigenvalue of one list may be the kth one of the other, for all that both have.
+void expect_equal(std::vector<Interval> one, std::vector<Interval> other, const std::string& what) {
+  const auto ends = [](const std::vector<Interval>& list, double Interval::*end) {
+    std::vector<double> result;
+    for (const Interval& in : list) result.push_back(in.*end);
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const std::size_t count = std::min(one.size(), other.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_LE(ends(one, &Interval::lower)[k], ends(other, &Interval::upper)[k]) << what << ' ' << k;
+    EXPECT_LE(ends(other, &Interval::lower)[k], ends(one, &Interval::upper)[k]) << what << ' ' << k;
+  }
+}
+
+/// The cover of degree n on which χ, of order n, is trivial: crossing a side leads from sheet i to sheet i + nθ.
+Surface cyclic_cover(const Surface& surface, const TorusPoint& turns, int n) {
+  const PolygonSides polygon = polygon_sides(surface);
+  const ById<SideId, Rational> phases = phases_of_sides(surface, turns);
+  std::vector<Permutation> sheets;
+  for (std::uint32_t k = 0; k < polygon.side.size(); ++k) {
+    if (k > polygon.partner[k]) continue;
+    const auto shift = static_cast<int>(numerator(Rational(n * phases[polygon.side[k]])));
+    Permutation& permutation = sheets.emplace_back();
+    for (int i = 0; i < n; ++i) permutation.push_back(static_cast<std::uint32_t>(((i + shift) % n + n) % n));
+  }
+  return cover(surface, sheets);
+}
+
+/// Functions on the cover are sums of one with the phases of each power of χ.
+TEST(PhasedEigenvalues, OfAllPowersAreThoseOfACyclicCover) {
+  for (const auto& [name, surface] : {std::pair("octagon", octagon()), std::pair("Bolza", bolza()),
+                                      std::pair("Klein", klein()), std::pair("genus 3", of_genus(3))}) {
+    for (const int n : {2, 3}) {
+      TorusPoint turns = one_phase(surface, Rational(1, n));
+      turns[1] = Rational(-1, n);
+      turns.back() = Rational(1, n);
+      std::vector<Interval> of_powers;
+      double next = HUGE_VAL;
+      for (int power = 0; power < n; ++power) {
+        const EigenvaluesDocument document =
+            unproved::eigenvalues(surface, {.count = 6, .digits = 2, .phases = times(turns, power)});
+        expect_verified(document);
+        const std::vector<Interval> found = intervals(document);
+        of_powers.insert(of_powers.end(), found.begin(), found.end());
+        next = std::min(next, document.next);
+      }
+      std::vector<Interval> of_cover{{0, 0}};
+      for (const Interval& in :
+           intervals(unproved::eigenvalues(cyclic_cover(surface, turns, n), {.count = 8, .digits = 2})))
+        of_cover.push_back(in);
+      // Not more than all powers are known to have.
+      std::erase_if(of_cover, [&](const Interval& in) { return in.upper >= next; });
+      EXPECT_GE(of_cover.size(), 3U) << name << ' ' << n;
+      expect_equal(of_powers, of_cover, name + (" " + std::to_string(n)));
+    }
+  }
+}
+
+TEST(PhasedEigenvalues, WithoutPhasesAreThoseOfFunctionsAndZero) {
+  const EigenvaluesDocument with =
+      unproved::eigenvalues(bolza(), {.count = 8, .digits = 2, .phases = one_phase(bolza(), 3)});
+  EXPECT_THAT(with.phases, ElementsAre("0", "0", "0", "0", "0", "0", "0", "0"));
+  expect_verified(with);
+  const EigenvaluesDocument without = unproved::eigenvalues(bolza(), {.count = 7, .digits = 2});
+  EXPECT_TRUE(without.phases.empty());
+  ASSERT_EQ(with.eigenvalues.size(), 3U);
+  EXPECT_EQ(with.eigenvalues.front().count, 1U);
+  EXPECT_EQ(with.eigenvalues.front().in.lower, 0);
+  EXPECT_LT(with.eigenvalues.front().in.upper, 2e-6);
+  for (std::size_t row = 0; row < 2; ++row) EXPECT_EQ(with.eigenvalues[row + 1].count, without.eigenvalues[row].count);
+  std::vector<Interval> known = intervals(without);
+  known.push_back({0, 0});
+  expect_equal(intervals(with), known, "Bolza");
+}
+
+TEST(PhasedEigenvalues, OfConjugatePhasesAreTheSame) {
+  for (const Surface& surface : {octagon(), klein()}) {
+    TorusPoint turns = one_phase(surface, Rational(1, 5));
+    turns.back() = Rational(2, 7);
+    const EigenvaluesDocument one = unproved::eigenvalues(surface, {.count = 4, .digits = 2, .phases = turns});
+    const EigenvaluesDocument other =
+        unproved::eigenvalues(surface, {.count = 4, .digits = 2, .phases = times(turns, -1)});
+    EXPECT_NE(one.phases, other.phases);
+    EXPECT_EQ(intervals(one).size(), intervals(other).size());
+    expect_equal(intervals(one), intervals(other), "conjugate");
+    EXPECT_EQ(one.side_order, other.side_order);
+  }
+}
+
+/// The rotation by a corner of the regular 4g-gon takes side k to side k + 1, and side 2g has the phase −θ₀.
+TEST(PhasedEigenvalues, OfARegularPolygonAreTheSameForPhasesThatAreRotated) {
+  for (const std::uint32_t genus : {2U, 3U}) {
+    const Surface surface = Surface::regular(genus);
+    TorusPoint turns = one_phase(surface, Rational(1, 3));
+    turns[1] = Rational(1, 5);
+    turns.back() = Rational(1, 7);
+    TorusPoint rotated{Rational(-turns.back())};
+    rotated.insert(rotated.end(), turns.begin(), turns.end() - 1);
+    const EigenvaluesDocument one = unproved::eigenvalues(surface, {.count = 4, .phases = turns});
+    const EigenvaluesDocument other = unproved::eigenvalues(surface, {.count = 4, .phases = rotated});
+    expect_equal(intervals(one), intervals(other), "rotated");
+    // It matters: other phases have other eigenvalues.
+    std::swap(rotated[0], rotated[1]);
+    const EigenvaluesDocument different = unproved::eigenvalues(surface, {.count = 4, .phases = rotated});
+    EXPECT_TRUE(intervals(different)[0].lower > intervals(one)[0].upper ||
+                intervals(different)[0].upper < intervals(one)[0].lower);
+  }
+}
+
+/// λ₀(χ) is the square of the distance from χ = 1 in the norm of harmonic forms, up to higher terms.
+TEST(PhasedEigenvalues, GrowAsTheSquareFromZeroOn) {
+  const Surface surface = octagon();
+  std::vector<double> quotients;
+  for (const int part : {100, 50, 25}) {
+    const Rational t = Rational(1) / part;
+    const EigenvaluesDocument document =
+        unproved::eigenvalues(surface, {.count = 1, .digits = 2, .phases = {t, Rational(2 * t), Rational(0), t}});
+    expect_verified(document);
+    const Interval in = document.eigenvalues.front().in;
+    EXPECT_GT(in.lower, 0);
+    quotients.push_back((in.lower + in.upper) / 2 * part * part);
+  }
+  EXPECT_NEAR(quotients[1] / quotients[0], 1, 0.02);
+  EXPECT_NEAR(quotients[2] / quotients[0], 1, 0.03);
+}
+
+TEST(PhasedEigenvalues, BelowANumberAreCounted) {
+  const TorusPoint turns = one_phase(bolza(), Rational(1, 3));
+  const std::vector<Interval> first =
+      intervals(unproved::eigenvalues(bolza(), {.count = 4, .digits = 2, .phases = turns}));
+  for (const std::size_t count : {0U, 1U, 3U}) {
+    const double below = count == 0 ? 0.25 : (first[count - 1].upper + first[count].lower) / 2;
+    const EigenvaluesDocument document = unproved::eigenvalues(bolza(), {.below = below, .phases = turns});
+    expect_verified(document);
+    EXPECT_EQ(eigenvalues_below(document, below).least, count) << below;
+    EXPECT_EQ(eigenvalues_below(document, below).most, count) << below;
+  }
+}
+
+TEST(PhasedEigenvalues, HaveTwoDigitsByDefault) {
+  const TorusPoint turns = one_phase(bolza(), Rational(1, 3));
+  EXPECT_EQ(unproved::eigenvalues(bolza(), {.count = 2, .phases = turns}),
+            unproved::eigenvalues(bolza(), {.count = 2, .digits = 2, .phases = turns}));
+}
+
+TEST(PhasedEigenvalues, OfAnotherNumberOfPhasesAreRefused) {
+  EXPECT_THAT(
+      [] {
+        (void)unproved::eigenvalues(klein(), {.phases = point({"0", "0", "0", "0"})});
+      },
+      ThrowsMessage<CharacterError>(HasSubstr("4 phases found, expected 6, those of the sides ")));
+}
+
+TEST(PhasedEigenvalues, OfMoreThanThreeDigitsAreRefused) {
+  EXPECT_THAT([] { (void)unproved::eigenvalues(bolza(), {.digits = 4, .phases = one_phase(bolza(), 1)}); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("digits is not from 1 to 3")));
+  EXPECT_THAT([] { (void)bands(bolza(), {one_phase(bolza(), 1)}, {.digits = 4}); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("digits is not from 1 to 3")));
+}
+
+TEST(SlowPhasedEigenvalues, OfThreeDigitsAreNarrow) {
+  const EigenvaluesDocument document =
+      unproved::eigenvalues(bolza(), {.count = 2, .digits = 3, .phases = one_phase(bolza(), Rational(1, 3))});
+  expect_verified(document);
+  for (const Interval& in : intervals(document)) EXPECT_LT(in.upper - in.lower, 1.1e-3 * in.lower);
+}
+
+// Bands.
+
+TEST(Bands, AreTheEigenvaluesAtEachPoint) {
+  const std::vector<TorusPoint> points = torus_path({point({"0", "0", "0", "0"}), point({"1/2", "0", "1/4", "0"})}, 3);
+  std::vector<EigenvaluesDocument> documents(points.size());
+  const auto found =
+      bands(bolza(), points,
+            {.count = 3, .each = [&](std::size_t i, const EigenvaluesDocument& document) { documents[i] = document; }});
+  ASSERT_EQ(found.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_EQ(found[i].size(), 3U);
+    const EigenvaluesDocument alone = unproved::eigenvalues(bolza(), {.count = 3, .digits = 2, .phases = points[i]});
+    EXPECT_EQ(documents[i].phases, alone.phases);
+    EXPECT_EQ(documents[i].net, documents[0].net);
+    expect_verified(documents[i]);
+    expect_equal(found[i], intervals(alone), std::to_string(i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(found[i][k].upper, intervals(documents[i])[k].upper);
+      EXPECT_LT(found[i][k].upper - found[i][k].lower, std::max(1e-5, 0.011 * found[i][k].upper));
+    }
+  }
+}
+
+TEST(Bands, AreTheSameForAnyNumberOfThreads) {
+  const std::vector<TorusPoint> points = torus_path({point({"0", "0", "0", "0"}), point({"1/2", "0", "1/3", "0"})}, 2);
+  EXPECT_EQ(bands(octagon(), points, {.count = 2, .digits = 1, .threads = 1}),
+            bands(octagon(), points, {.count = 2, .digits = 1, .threads = 3}));
+}
+
+TEST(Bands, OfNoPointsAreNone) { EXPECT_TRUE(bands(bolza(), {}).empty()); }
+
+TEST(Bands, OfPointsThatAreNoneAreRefused) {
+  EXPECT_THAT(
+      [] {
+        (void)bands(bolza(), {point({"0", "0", "0", "0"}), point({"0"})});
+      },
+      ThrowsMessage<CharacterError>(HasSubstr("1 phase found, expected 4")));
+  EXPECT_THROW((void)bands(bolza(), {point({"0", "0", "0", "0"})}, {.count = 0}), std::invalid_argument);
+}
+
+TEST(Bands, AreOnPathsWithExactPoints) {
+  const std::vector<TorusPoint> path = torus_path({point({"0", "1"}), point({"1/2", "0"}), point({"1/2", "1/7"})}, 3);
+  EXPECT_THAT(path, ElementsAre(point({"0", "1"}), point({"1/6", "2/3"}), point({"1/3", "1/3"}), point({"1/2", "0"}),
+                                point({"1/2", "1/21"}), point({"1/2", "2/21"}), point({"1/2", "1/7"})));
+  EXPECT_THAT(torus_path({point({"1/5"})}, 4), ElementsAre(point({"1/5"})));
+  EXPECT_THROW((void)torus_path({}, 1), std::invalid_argument);
+  EXPECT_THROW((void)torus_path({point({"0"})}, 0), std::invalid_argument);
+  EXPECT_THROW((void)torus_path({point({"0"}), point({"0", "1"})}, 1), std::invalid_argument);
+}
+
+TEST(Bands, ArePicturesOfAllIntervals) {
+  BandsPicture picture{{{{0, 0.1}, {1, 1.1}}, {{0.2, 0.3}, {1, 1.2}}, {{0, 0.1}, {1, 1.1}}}, {{0, "G"}, {2, "<X>"}}};
+  const std::string svg = draw_svg(picture, 500);
+  const auto count = [&](const std::string& what) {
+    std::size_t result = 0;
+    for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++result;
+    return result;
+  };
+  EXPECT_EQ(count("class=\"band\""), 2U);
+  EXPECT_EQ(count("class=\"intervals\""), 2U);
+  EXPECT_EQ(count(">&lt;X"), 1U);
+  EXPECT_EQ(count("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"500\" height=\"310\""), 1U);
+  EXPECT_FALSE(draw_svg(BandsPicture{}).empty());
+}
+
+}  // namespace
+}  // namespace epsnet::phases_test
