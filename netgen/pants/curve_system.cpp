@@ -453,8 +453,8 @@ std::optional<Rational> rational_root(const Surface& surface, const Word& path) 
 class Coordinates {
  public:
   Coordinates(const Surface& surface, const PantsGraph& graph, const std::vector<PantsPaths>& pants,
-              const std::vector<Word>& across)
-      : surface_(surface), graph_(graph), across_(across) {
+              const std::vector<Word>& across, bool reduced)
+      : surface_(surface), graph_(graph), across_(across), reduced_(reduced) {
     for (const auto& [cuffs] : pants) {
       paths_.insert(paths_.end(), {cuffs[0], cuffs[1], reversed(surface, joined(cuffs[0], cuffs[1]))});
     }
@@ -515,7 +515,7 @@ class Coordinates {
     if (!certify::is_finite(turns)) return false;
     const double whole = std::nearbyint(arf_get_d(arb_midref(turns.get()), ARF_RND_NEAR));
     if (!(std::abs(whole) < 0x1p53)) return false;
-    twist = twist - Ball::exactly(whole) * length;
+    if (reduced_) twist = twist - Ball::exactly(whole) * length;
     const Ball least = certify::scaled(length, -70);
     for (const Ball& x : {length, twist}) {
       if (certify::certainly_less(radius(x), least) != certify::Tri::yes) return false;
@@ -534,6 +534,7 @@ class Coordinates {
   const Surface& surface_;
   const PantsGraph& graph_;
   const std::vector<Word>& across_;
+  bool reduced_;
   std::vector<Word> paths_;  ///< By cuff of all pairs of pants.
   std::vector<CuffCoordinates> result_;
 };
@@ -541,8 +542,9 @@ class Coordinates {
 }  // namespace
 
 std::vector<CuffCoordinates> cuff_coordinates(const Surface& surface, const PantsGraph& graph,
-                                              const std::vector<PantsPaths>& pants, const std::vector<Word>& across) {
-  return Coordinates(surface, graph, pants, across).enclose();
+                                              const std::vector<PantsPaths>& pants, const std::vector<Word>& across,
+                                              bool reduced) {
+  return Coordinates(surface, graph, pants, across, reduced).enclose();
 }
 
 }  // namespace epsnet

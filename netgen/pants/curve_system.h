@@ -140,7 +140,7 @@ struct PantsPaths {
 /// The length of a cuff and the twist there, in intervals.
 struct CuffCoordinates {
   certify::Interval length{};
-  certify::Interval twist{};  ///< Between −½ and ½ of the length, but for the width of the interval.
+  certify::Interval twist{};  ///< Reduced: between −½ and ½ of the length, but for the width of the interval.
   /// e^{length/2}, if that is rational.
   std::optional<Rational> root;
 };
@@ -148,11 +148,12 @@ struct CuffCoordinates {
 /// Returns by edge the Fenchel–Nielsen coordinates of a surface that is glued of these pairs of pants, by paths across
 /// the edges, each from the tile of the pants of its first end to that of its second end. That the surface is glued of
 /// them is taken for granted: certify::check decides it (docs/proof.md, section 19). Throws LimitError if the
-/// coordinates are not known with many bits, as for paths that are no cuffs.
+/// coordinates are not known with many bits, as for paths that are no cuffs. Twists that are not reduced are real
+/// numbers, which the paths across the edges determine.
 ///
 /// Time: that of some products of all letters of each path.
 [[nodiscard]] std::vector<CuffCoordinates> cuff_coordinates(const Surface& surface, const PantsGraph& graph,
                                                             const std::vector<PantsPaths>& pants,
-                                                            const std::vector<Word>& across);
+                                                            const std::vector<Word>& across, bool reduced = true);
 
 }  // namespace epsnet

@@ -6,11 +6,13 @@
 #include <numeric>
 #include <utility>
 
+#include "certify/check.h"
 #include "netgen/base/gmp.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/curve_system.h"
 #include "netgen/prove/certified.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
 namespace {
@@ -20,13 +22,15 @@ struct UnprovedPants {
   PantsGraph graph;
   std::vector<PantsPaths> pants;
   std::vector<Word> across;
+  bool marked = false;  ///< Whether the paths across are a marking, so that twists are not reduced.
 };
 
 /// Of the net in a pants file: any net will do.
 constexpr double kEpsilon = 1;
 
 PantsDecomposition with_coordinates(const Surface& surface, UnprovedPants found) {
-  const std::vector<CuffCoordinates> cuffs = cuff_coordinates(surface, found.graph, found.pants, found.across);
+  const std::vector<CuffCoordinates> cuffs =
+      cuff_coordinates(surface, found.graph, found.pants, found.across, !found.marked);
   PantsDecomposition result{{}, std::move(found.graph), {}, {}};
   for (const auto& [paths] : found.pants) {
     result.pants.push_back({paths[0], paths[1], reversed(surface, concatenated(surface, paths[0], paths[1]))});
@@ -283,6 +287,33 @@ PantsDecomposition pants_decomposition(const Surface& surface, const PantsOption
   std::stable_sort(order.begin() + given, order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return system.length(a) < system.length(b); });
   return proved_pants(surface, assembled(surface, system, found, order), options);
+}
+
+PantsDecomposition marked_pants(const Surface& surface, const certify::PantsDocument& marking,
+                                const PantsOptions& options) {
+  if (certify::check(marking).verdict != certify::Verdict::verified)
+    throw SurfaceError("the pants file of the marking is not verified");
+  const Surface marked = from_document(marking.net.surface);
+  bool alike = marked.side_count() == surface.side_count() && marked.tiles().size() == surface.tiles().size();
+  for (const SideId s : surface.side_ids()) {
+    alike = alike && marked.partner(s) == surface.partner(s) && marked.tile_of_side(s) == surface.tile_of_side(s);
+  }
+  if (!alike) throw SurfaceError("the surface of the marking has other tiles, or they are glued otherwise");
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> nodes;
+  std::vector<PantsGraph::Edge> ends;
+  UnprovedPants found{PantsGraph::chain(2), {}, {}, true};
+  for (const auto& paths : marking.pants)
+    found.pants.push_back({{word_of_letters(paths[0]), word_of_letters(paths[1])}});
+  for (const certify::PantsDocument::Cuff& cuff : marking.cuffs) {
+    const auto& [first, second] = cuff.ends;
+    nodes.emplace_back(first[0], second[0]);
+    ends.push_back({PantsGraph::End{first[0], first[1]}, PantsGraph::End{second[0], second[1]}});
+    found.across.push_back(word_of_letters(cuff.across));
+  }
+  found.graph = PantsGraph(nodes);
+  if (found.graph.edges() != ends)
+    throw SurfaceError("the cuffs of the marking are numbered otherwise than by its edges");
+  return proved_pants(surface, std::move(found), options);
 }
 
 void require_disjoint_curves(const Surface& surface, std::span<const Word> curves) {

@@ -51,7 +51,7 @@ struct PantsDecomposition : Certified<certify::PantsDocument> {
   struct Cuff {
     Word curve;                  ///< A closed path in its class, with the pants of the edge's first end on the left.
     certify::Interval length{};  ///< Encloses the length.
-    certify::Interval twist{};   ///< Encloses the twist, modulo the length: the number nearest to 0.
+    certify::Interval twist{};   ///< Encloses the twist, modulo the length: the number nearest to 0, without a marking.
     /// e^{length/2}, if it is rational: the length exactly.
     std::optional<Rational> exact_root;
     Word across;  ///< A path across it, from the tile of the first end's pants to that of the second end's.
@@ -76,6 +76,15 @@ struct PantsDecomposition : Certified<certify::PantsDocument> {
 /// proved, as for curves beyond the numbers of the generator. Time is that of the spectrum, about e^L for the longest
 /// cuff, and about the area of the surface for each cuff.
 [[nodiscard]] PantsDecomposition pants_decomposition(const Surface& surface, const PantsOptions& options = {});
+
+/// Returns the pants decomposition of a surface that the words of a pants file give, which may be about another surface
+/// of tiles that are glued alike: another metric on one marked surface. Twists are then real numbers, not reduced
+/// modulo the lengths: the paths across the cuffs say which. Of two surfaces of which one is the other after n Dehn
+/// twists along a cuff (`dehn_twisted`), the twists there differ by n times its length.
+///
+/// Throws SurfaceError if the file is not verified, or the tiles are others; and as pants_decomposition.
+[[nodiscard]] PantsDecomposition marked_pants(const Surface& surface, const certify::PantsDocument& marking,
+                                              const PantsOptions& options = {});
 
 /// Throws CurveError, if closed paths are not simple closed geodesics, disjoint and different, none of them a power.
 void require_disjoint_curves(const Surface& surface, std::span<const Word> curves);

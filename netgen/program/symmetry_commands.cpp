@@ -348,6 +348,7 @@ namespace {
 struct PantsRequest {
   std::string surface;
   std::string curves;
+  std::string marking;
   std::string output;
   std::string svg;
   bool find = false;
@@ -369,9 +370,11 @@ Report own_report(const PantsDecomposition& pants) {
 }
 
 void cut_into_pants(const PantsRequest& request) {
-  check_files({{"SURFACE", request.surface}, {"--curves", request.curves}},
+  check_files({{"SURFACE", request.surface}, {"--curves", request.curves}, {"--marking", request.marking}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Surface surface = read_surface_input(request.surface);
+  std::optional<certify::PantsDocument> marking;
+  if (!request.marking.empty()) marking = certify::read_file<certify::PantsDocument>(request.marking);
   PantsOptions options;
   options.own = !request.find;
   options.threads = request.threads;
@@ -386,7 +389,9 @@ void cut_into_pants(const PantsRequest& request) {
     ProgressLine progress;
     options.progress = progress.shower();
     try {
-      return pants_decomposition(surface, options);
+      return marking ? marked_pants(surface, *marking, options) : pants_decomposition(surface, options);
+    } catch (const SurfaceError& error) {
+      throw JobError((marking ? request.marking + ": " : "") + error.what());
     } catch (const CurveError& error) {
       throw JobError(names[error.number()] + ": " + error.what());
     }
@@ -443,13 +448,19 @@ void add_pants_command(CLI::App& app, Job& chosen) {
       ->add_flag("--find", shared->find,
                  "look for short curves, also if surface fenchel-nielsen made the surface and its own cuffs are known")
       ->excludes(curves);
+  add_file(*command, "--marking", shared->marking,
+           "a pants file of a surface with the same tiles, glued alike: cut along its cuffs, with twists that are not "
+           "reduced, as its words say")
+      ->excludes(curves)
+      ->excludes("--find");
   add_file(*command, "-o,--output", shared->output,
            "the pants file to write, for certify and for surface fenchel-nielsen --from; \"-\" is standard output");
   add_file(*command, "--svg", shared->svg, "also draw the cuffs in a Dirichlet domain; \"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "Twists are given modulo the lengths, between -1/2 and 1/2 of them. docs/fenchel-nielsen.md has the "
+      "Twists are given modulo the lengths, between -1/2 and 1/2 of them, but for --marking. docs/fenchel-nielsen.md "
+      "has the "
       "conventions.\n\n"
       "Example:\n  epsnet surface octagon --seed 5 -o s.json\n"
       "  epsnet pants s.json -o pants.json && certify pants.json\n"

@@ -361,6 +361,16 @@ void bind_pants(py::module_& module) {
                         },
                         callback);
                   })
+      .def_static("marked",
+                  [](const Surface& surface, const SharedPants& marking, unsigned threads, const py::object& callback) {
+                    return interruptible(
+                        [=](const Progress& progress) {
+                          PantsDecomposition found =
+                              marked_pants(surface, *marking, {.threads = threads, .progress = progress});
+                          return std::pair(SharedPants(std::move(found.document)), std::move(found.certificate));
+                        },
+                        callback);
+                  })
       .def("svg", [](const SharedPants& self,
                      std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
       .def_property_readonly("net", [](const SharedPants& self) { return SharedNet(self->net); })

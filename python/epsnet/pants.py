@@ -7,7 +7,7 @@ from typing import Any, Optional, Sequence
 
 from . import _epsnet
 from ._annotations import Surface
-from ._arguments import as_flag, as_fraction, as_index, as_indices, as_items, as_threads
+from ._arguments import argument, as_flag, as_fraction, as_index, as_indices, as_items, as_threads, refuse
 from ._documents import Document
 from ._pictures import Drawn
 from ._progress import Progress, Shower
@@ -163,7 +163,17 @@ def as_word(curve: Any, name: str = "curve") -> list[int]:
     return as_indices(getattr(curve, "word", curve), name)
 
 
-def pants(surface: "Surface", curves: Optional[Sequence[Any]], find: bool, threads: int, progress: Progress) -> PantsDecomposition:
+def pants(
+    surface: "Surface", curves: Optional[Sequence[Any]], find: bool, marking: Optional[PantsDecomposition], threads: int, progress: Progress
+) -> PantsDecomposition:
+    if marking is not None:
+        if not isinstance(marking, PantsDecomposition):
+            refuse("a PantsDecomposition", marking, "marking")
+        if curves is not None or find:
+            raise ArgumentError("the curves are those of the marking", place="marking")
+        with Shower(progress) as callback, argument("marking"):
+            core, found = _epsnet.PantsDecomposition.marked(surface._core, marking._core, as_threads(threads), callback)
+        return PantsDecomposition(core, surface, Certificate(found), False)
     words = [] if curves is None else [as_word(curve, "curves") for curve in as_items(curves, "curves", "words")]
     find, threads = as_flag(find, "find"), as_threads(threads)
     with Shower(progress) as callback:

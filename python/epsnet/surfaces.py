@@ -687,17 +687,20 @@ class Surface(Drawn, Immutable):
 
     # Pants.
 
-    def pants(self, curves: Optional[Sequence[Any]] = None, *, find: bool = False, threads: int = 0, progress: Progress = None) -> PantsDecomposition:
+    def pants(self, curves: Optional[Sequence[Any]] = None, *, find: bool = False, marking: Optional[PantsDecomposition] = None, threads: int = 0, progress: Progress = None) -> PantsDecomposition:
         """A pants decomposition, and the Fenchel–Nielsen coordinates, proved: along ``curves``, words or closed geodesics, which short ones
         complete; or along the cuffs of which ``Surface.fenchel_nielsen`` made the surface, unless short ones are to be found; or along
         short closed geodesics. ArgumentError for curves that are not simple, disjoint and different. Twists are known modulo the lengths.
+
+        With ``marking``, pants of a surface with the same tiles, glued alike: along its curves, and twists are real numbers, as its words say.
+        SurfaceError if the tiles are others.
 
         >>> import epsnet
         >>> pants = epsnet.Surface.fenchel_nielsen([2, 3, 4], ["1/2", 0, 1], "0-1 0-1 0-1").pants()
         >>> [round(length.mid, 12) for length in pants.lengths], [round(twist.mid, 12) + 0 for twist in pants.twists]
         ([2.0, 3.0, 4.0], [0.5, 0.0, 1.0])
         """
-        return pants(self, curves, find, threads, progress)
+        return pants(self, curves, find, marking, threads, progress)
 
     def dehn_twist(self, curve: Any, power: int = 1) -> "Surface":
         """The same surface with another marking, that of a Dehn twist along a simple closed curve, to the left, or to the right for a negative

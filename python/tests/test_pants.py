@@ -128,3 +128,19 @@ def test_the_flow_of_twists(octagon):
     there = octagon.twist(cuff, "1/8").pants()
     assert abs(there.twists[0].mid - here.twists[0].mid - 0.125) < 1e-12
     assert abs(there.lengths[0].mid - here.lengths[0].mid) < 1e-12
+
+
+def test_twists_in_a_marking_are_real_numbers():
+    surface = Surface.octagon(5).dehn_twist([0]).dehn_twist([0], -1)     # In triangles, whose gluing a twist keeps.
+    pants = surface.pants()
+    cuff = pants.cuffs[0]
+    marked = surface.dehn_twist(cuff, -4).pants(marking=pants)
+    assert marked.proved and marked.cuffs[0].length.mid == pytest.approx(cuff.length.mid, abs=1e-12)
+    assert marked.cuffs[0].twist.mid == pytest.approx(cuff.twist.mid - 4 * cuff.length.mid, abs=1e-10)
+    assert [one.twist.mid for one in marked.cuffs[1:]] == pytest.approx([one.twist.mid for one in pants.cuffs[1:]], abs=1e-10)
+    with pytest.raises(SurfaceError, match="other tiles"):
+        Surface.octagon(5).pants(marking=pants)
+    with pytest.raises(ArgumentError, match="marking"):
+        surface.pants(marking=7)
+    with pytest.raises(ArgumentError, match="the curves are those of the marking"):
+        surface.pants([cuff], marking=pants)

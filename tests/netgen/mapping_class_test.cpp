@@ -213,6 +213,31 @@ TEST(MappingClassGroup, AMarkingTakesWordsToTheirImages) {
   }
 }
 
+TEST(MappingClassGroup, InAMarkingATwistAlongACuffAddsItsLength) {
+  // Tiles that are triangles keep their gluing.
+  const Surface base = surface_of(2, 3);
+  const Surface surface = with_marking(base, MappingClassGroup(base).parse("a1 A1"));
+  const PantsDecomposition pants = pants_decomposition(surface);
+  const auto middle = [](certify::Interval x) { return (x.lower + x.upper) / 2; };
+  for (std::size_t e = 0; e < pants.cuffs.size(); ++e) {
+    for (const std::int32_t power : {0, 1, -3}) {
+      const Surface twisted = power == 0 ? surface : dehn_twisted(surface, pants.cuffs[e].curve, power);
+      const PantsDecomposition marked = marked_pants(twisted, pants.document);
+      EXPECT_EQ(marked.certificate.verdict, certify::Verdict::verified);
+      for (std::size_t f = 0; f < pants.cuffs.size(); ++f) {
+        const double length = middle(pants.cuffs[f].length);
+        EXPECT_NEAR(middle(marked.cuffs[f].length), length, 1e-12);
+        const double turns = f == e ? power : 0;
+        EXPECT_NEAR(middle(marked.cuffs[f].twist), middle(pants.cuffs[f].twist) + turns * length, 1e-10) << e << f;
+      }
+    }
+  }
+  EXPECT_THROW((void)marked_pants(base, pants.document), SurfaceError);
+  certify::PantsDocument forged = pants.document;
+  forged.cuffs[0].length = {1, 1};
+  EXPECT_THROW((void)marked_pants(surface, forged), SurfaceError);
+}
+
 TEST(MappingClassGroup, TextsThatAreNoProductsAreRefused) {
   const MappingClassGroup group(random_octagon(5));
   const auto message = [&](const char* text) -> std::string {
