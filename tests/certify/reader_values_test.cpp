@@ -120,7 +120,7 @@ Json eigenvalues() {
 
 Json sections() {
   Json result = eigenvalues();
-  result["phases"] = {"1/3", "-0.25", "0"};
+  result["phases"] = {"1/3", "-0.25", "0", "1/7", "0.5", "-2/3", "0", "-0"};
   result["eigenfunctions"] = Json::array();
   return result;
 }

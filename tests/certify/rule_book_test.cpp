@@ -264,6 +264,10 @@ std::vector<Document> one_for_each_claim() {
     std::vector<Document> documents(2);
     documents[1].relation = ComparisonDocument::Relation::different;
     return documents;
+  } else if constexpr (std::is_same_v<Document, EigenvaluesDocument>) {
+    std::vector<Document> documents(2);
+    documents[1].phases = {"0"};
+    return documents;
   } else if constexpr (requires(Document document) { document.claim; }) {
     std::vector<Document> documents(Fields<typename Document::Claim>::kNames.size());
     for (std::size_t i = 0; i < documents.size(); ++i) {

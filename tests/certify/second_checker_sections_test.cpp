@@ -170,10 +170,15 @@ TEST(Sections, OfOneVertexAreNoConstants) {
   document.at_least = {{0.01, 1}};
   document.phases = Phases(8, "0");
   EXPECT_EQ(outcome(document), "VERIFIED");
-  document.phases = {"0.3", "0", "0", "0", "-0.3", "0", "0", "0"};
-  EXPECT_EQ(outcome(document), "UNDECIDED: least");
-  document.phases = {"1/2", "0", "0", "0", "1/2", "0", "0", "0"};
-  EXPECT_EQ(outcome(document), "UNDECIDED: least");
+  // Energy by mass of a constant in the frame of the vertex, in the metric of flat triangles.
+  const std::array<std::pair<const char*, double>, 2> quotients{{{"0.3", 3.384}, {"1/2", 8.008}}};
+  for (const auto& [phase, quotient] : quotients) {
+    document.phases = {phase, "0", "0", "0", std::string("-") + phase, "0", "0", "0"};
+    document.at_least = {{quotient * 0.99, 1}};
+    EXPECT_EQ(outcome(document), "UNDECIDED: least") << phase;
+    document.at_least = {{quotient * 1.01, 1}};
+    EXPECT_EQ(outcome(document), "VERIFIED") << phase;
+  }
 }
 
 // The rule `phases`.

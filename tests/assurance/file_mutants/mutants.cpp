@@ -210,6 +210,7 @@ std::vector<Family> families() {
     auto& b = add("eigenvalues", 20);
     b.push_back(file("eigenvalues/octagon-5.json", 8));
     b.push_back(file("eigenvalues/octagon-5-of-one-vertex.json", 8));
+    b.push_back(file("eigenvalues/octagon-sections-of-a-third.json", 8));
     b.push_back(file("eigenvalues/bolza.json", 8));
     b.push_back(file("eigenvalues/octagon-5-with-a-function.json", 1));
     b.push_back(file("eigenvalues/bolza-with-three-functions.json", 1));

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "certify/net/numbering.h"
 #include "netgen/base/options.h"
 
 namespace epsnet::attack {
@@ -199,6 +200,12 @@ void add_to_twist(PantsDocument::Cuff& cuff, double lengths) {
   cuff.twist.upper += lengths * (lengths > 0 ? cuff.length.upper : cuff.length.lower);
   cuff.twist.lower = std::nextafter(cuff.twist.lower, -1e9);
   cuff.twist.upper = std::nextafter(cuff.twist.upper, 1e9);
+}
+
+/// Those of the file, or those of functions.
+std::vector<std::string>& phases(EigenvaluesDocument& file) {
+  if (file.phases.empty()) file.phases.resize(certify::SurfaceSides(file.net.surface).partner.size(), "0");
+  return file.phases;
 }
 
 /// Any number below which eigenvalues are counted.
@@ -898,6 +905,23 @@ const std::vector<MutationOf<EigenvaluesDocument>>& eigenvalues_mutations() {
   static const std::vector<MutationOf<EigenvaluesDocument>> all{
       {"number of a count, by little", [](EigenvaluesDocument& file, Random& r) { change_length(below(file, r), r); }},
       {"number of a count", [](EigenvaluesDocument& file, Random& r) { change_threshold(below(file, r), r); }},
+      {"phase of a side", [](EigenvaluesDocument& file, Random& r) { r.of(phases(file)) = "1/7"; }},
+      {"phases of two sides that are glued",
+       [](EigenvaluesDocument& file, Random& r) {
+         const certify::SurfaceSides sides(file.net.surface);
+         std::vector<std::string>& turns = phases(file);
+         const std::uint32_t side = r.below(turns.size());
+         turns.at(side) = r.below(2) == 0 ? "1/2" : "0.2";
+         turns.at(sides.partner.at(side)) = "-" + turns[side];
+       }},
+      {"phases left out, or those of functions",
+       [](EigenvaluesDocument& file, Random&) {
+         if (file.phases.empty()) {
+           phases(file);
+         } else {
+           file.phases.clear();
+         }
+       }},
       {"sigma", [](EigenvaluesDocument& file, Random& r) { change_threshold(r.of(file.at_most).sigma, r); }},
       {"sigma and the number of its count",
        [](EigenvaluesDocument& file, Random& r) {
