@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/check.h"
+#include "certify/numbers/interval_arithmetic.h"
 #include "netgen/base/gmp.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
@@ -22,7 +23,8 @@ struct UnprovedPants {
   PantsGraph graph;
   std::vector<PantsPaths> pants;
   std::vector<Word> across;
-  bool marked = false;  ///< Whether the paths across are a marking, so that twists are not reduced.
+  /// In a marking twists are not reduced: by edge, so many lengths less than the path across says. Otherwise empty.
+  std::vector<double> turns = {};
 };
 
 /// Of the net in a pants file: any net will do.
@@ -30,14 +32,17 @@ constexpr double kEpsilon = 1;
 
 PantsDecomposition with_coordinates(const Surface& surface, UnprovedPants found) {
   const std::vector<CuffCoordinates> cuffs =
-      cuff_coordinates(surface, found.graph, found.pants, found.across, !found.marked);
+      cuff_coordinates(surface, found.graph, found.pants, found.across, found.turns.empty());
   PantsDecomposition result{{}, std::move(found.graph), {}, {}};
   for (const auto& [paths] : found.pants) {
     result.pants.push_back({paths[0], paths[1], reversed(surface, concatenated(surface, paths[0], paths[1]))});
   }
   for (std::size_t e = 0; e < cuffs.size(); ++e) {
     const PantsGraph::End& end = result.graph.edges()[e][0];
-    result.cuffs.push_back({result.pants[end.pants][end.cuff], cuffs[e].length, cuffs[e].twist, cuffs[e].root,
+    const auto& [length, twist, root] = cuffs[e];
+    const double turns = found.turns.empty() ? 0 : found.turns[e];
+    result.cuffs.push_back({result.pants[end.pants][end.cuff], length,
+                            turns == 0 ? twist : certify::operator+(twist, certify::operator*(-turns, length)), root,
                             std::move(found.across[e])});
   }
   return result;
@@ -301,7 +306,7 @@ PantsDecomposition marked_pants(const Surface& surface, const certify::PantsDocu
   if (!alike) throw SurfaceError("the surface of the marking has other tiles, or they are glued otherwise");
   std::vector<std::pair<std::uint32_t, std::uint32_t>> nodes;
   std::vector<PantsGraph::Edge> ends;
-  UnprovedPants found{PantsGraph::chain(2), {}, {}, true};
+  UnprovedPants found{PantsGraph::chain(2), {}, {}};
   for (const auto& paths : marking.pants)
     found.pants.push_back({{word_of_letters(paths[0]), word_of_letters(paths[1])}});
   for (const certify::PantsDocument::Cuff& cuff : marking.cuffs) {
@@ -313,6 +318,10 @@ PantsDecomposition marked_pants(const Surface& surface, const certify::PantsDocu
   found.graph = PantsGraph(nodes);
   if (found.graph.edges() != ends)
     throw SurfaceError("the cuffs of the marking are numbered otherwise than by its edges");
+  // The twists of the file are those of its own surface.
+  const std::vector<CuffCoordinates> own = cuff_coordinates(marked, found.graph, found.pants, found.across, false);
+  for (std::size_t e = 0; e < own.size(); ++e)
+    found.turns.push_back(std::round((own[e].twist.lower - marking.cuffs[e].twist.lower) / own[e].length.lower));
   return proved_pants(surface, std::move(found), options);
 }
 
