@@ -129,6 +129,7 @@ ClosedCurve curve_of(const CurveTopology& topology, const MappingClass& f, const
   try {
     ClosedCurve curve = topology.curve(twist.curve);
     if (curve.is_null_homotopic()) throw CurveError(number, "null-homotopic");
+    if (curve.power != 1) throw CurveError(number, "power " + std::to_string(curve.power) + " of another closed curve");
     if (!curve.is_simple()) throw CurveError(number, "not simple");
     return curve;
   } catch (const SurfaceError& error) {

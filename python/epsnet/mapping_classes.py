@@ -6,7 +6,7 @@ from typing import Any, Iterable, Optional
 
 from . import _epsnet
 from ._annotations import Surface
-from ._arguments import as_index, as_items, refuse
+from ._arguments import argument, as_index, as_items, refuse
 from ._immutable import Immutable
 from .curves import Curve, curve
 from .pants import as_power, as_word
@@ -96,7 +96,7 @@ class MappingClass(Immutable):
         if self.order is None:
             return None
         for isometry in self.surface.isometries():
-            if self._group.is_isometry(self.twists, isometry.preserves_orientation, [list(word) for word in isometry.images]):
+            if self._group.is_isometry(self.twists, isometry.preserves_orientation, [list(element.word) for element in isometry.images]):
                 return isometry
         return None
 
@@ -126,7 +126,8 @@ class MappingClass(Immutable):
 
 def mapping_class(surface: "Surface", product: Any) -> MappingClass:
     if isinstance(product, str):
-        return MappingClass(surface, surface._mapping_class_group.parse(product))
+        with argument("product"):
+            return MappingClass(surface, surface._mapping_class_group.parse(product))
     twists = []
     for factor in as_items(product, "product", "pairs (word, power)"):
         try:

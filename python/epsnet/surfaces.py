@@ -740,7 +740,7 @@ class Surface(Drawn, Immutable):
         >>> surface = epsnet.Surface.octagon(123)
         >>> curve = surface.curve([0, 0])
         >>> curve.power, curve.self_intersections, curve.homology
-        (2, 1, (2, 0, 0, 0))
+        (2, 1, (0, 0, 0, 2))
         """
         return curve(self, word)
 

@@ -73,6 +73,7 @@ def calls(octagon, net, bolza):
     curve = pants.cuffs[0].word
     simple, curves = octagon.curve(curve), octagon.curves([curve])
     words = octagon.fundamental_group()
+    heptagons = Surface.fenchel_nielsen(2, 0, "theta")
     bands = octagon.bands([(0, 0, 0, 0)], count=1, digits=1)
     x, element, table, eigenvalues = Interval(1, 2), octagon.element([0]), net.distances(0), octagon.eigenvalues(1, digits=4)
     return [
@@ -84,7 +85,10 @@ def calls(octagon, net, bolza):
         (Surface.fenchel_nielsen, dict(lengths=1, twists=0, graph="chain", genus=2, seed=1)),
         (Surface.from_matrices, dict(generators=matrices["generators"], relation=matrices["relation"], model="sl2r", tiles=matrices["tiles"])),
         (Surface.from_matrices, dict(generators=[((2, 0), (1, 0))], algebra=(13, 2))), (octagon.matrices, dict(model="su11")),
-        (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (pants.fenchel_nielsen, dict(twists=0)), (pants.svg, dict(size=100)),
+        (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (octagon.pants, dict(marking=pants)),
+        (heptagons.gradient, dict(word=[6], second=False, threads=1)), (octagon.maximize_systole, dict(steps=1, threads=1, progress=False)),
+        (octagon.mapping_class, dict(product="a1")),
+        (pants.fenchel_nielsen, dict(twists=0)), (pants.svg, dict(size=100)),
         (octagon.dehn_twist, dict(curve=curve, power=1)), (octagon.dehn_twist_words, dict(curve=curve, power=1)),
         (octagon.twist, dict(curve=curve, by=1)),
         (octagon.curve, dict(word=curve)), (octagon.curves, dict(words=[curve], threads=1, progress=False)), (octagon.fills, dict(curves=[curve])),

@@ -131,7 +131,7 @@ def test_the_flow_of_twists(octagon):
 
 
 def test_twists_in_a_marking_are_real_numbers():
-    surface = Surface.octagon(5).dehn_twist([0]).dehn_twist([0], -1)     # In triangles, whose gluing a twist keeps.
+    surface = Surface.octagon(5).mapping_class("a1 A1").marking()     # In triangles, whose gluing a twist keeps.
     pants = surface.pants()
     cuff = pants.cuffs[0]
     marked = surface.dehn_twist(cuff, -4).pants(marking=pants)

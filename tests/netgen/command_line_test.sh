@@ -82,12 +82,25 @@ printf '2 x\n' >curves.txt
 bad 1 '^epsnet: curves.txt:1: expected numbers of sides, as in 0 3 5, not "x"' pants from-pants.json --curves curves.txt -o out/x.json
 printf '# nothing\n' >curves.txt
 bad 1 '^epsnet: curves.txt: no curves, expected one on each line' pants from-pants.json --curves curves.txt -o out/x.json
+# Mapping classes, and what they make of surfaces.
+good mapping-class s.json 'a1 b1 c1 b2' --on 0
+says '^order 10$'
+bad 1 '^epsnet: at character 4 of "a1 z": expected a name from a1 to c1' mapping-class s.json 'a1 z'
+bad 1 '^epsnet: PRODUCT: twist 1: power 2 of another closed curve$' mapping-class s.json 'a1 (0 0)'
+bad 1 '^epsnet: --word: twist 0: power 2 of another closed curve$' surface dehn-twist s.json --word '(0 0)' -o out/x.json
+good surface dehn-twist s.json --word 'a1 A1' -o triangles.json
+good pants triangles.json -o marking.json
+good pants triangles.json --marking marking.json
+bad 1 '^epsnet: marking.json: the surface of the marking has other tiles' pants s.json --marking marking.json
+good maximize systole s.json -o greatest.json
+says '^closed geodesics as long as it, to 9 digits: 12$'
+says '^a local maximum of the systole is nearer than'
 # Closed curves: a side pairing, its square, the commutator of two that separates, and one that is none.
 good curves s.json 0 '0 0' 0,1,4,5 --angles -o curves.json --svg curves.svg
 grep -q 'curve 2, of length' curves.svg || complain 'no curves in their picture'
 says '^verdict: VERIFIED$'
-says '^curve 0: length .*, simple, not separating, class a1$'
-says '^curve 1: length .*, power 2, self-intersections 1, class 2 a1$'
+says '^curve 0: length .*, simple, not separating, class b2$'
+says '^curve 1: length .*, power 2, self-intersections 1, class 2 b2$'
 says '^curve 2: length .*, simple, separating, class 0$'
 says '^curve 2 has genus 1 on its left, 1 on its right$'
 says '^the curves do not fill the surface$'
