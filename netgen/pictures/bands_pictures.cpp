@@ -47,8 +47,10 @@ class BandsDrawing {
     return "<path class=\"" + name + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + length(width) +
            "\" d=\"" + data + "\"/>\n";
   }
-  [[nodiscard]] std::string text(double at_x, double at_y, const std::string& what) const {
-    return "<text x=\"" + length(at_x) + "\" y=\"" + length(at_y) + "\">" + escaped(what) + "</text>\n";
+  [[nodiscard]] std::string text(double at_x, double at_y, const std::string& what,
+                                 const std::string& attributes = "") const {
+    return "<text x=\"" + length(at_x) + "\" y=\"" + length(at_y) + "\"" + attributes + ">" + escaped(what) +
+           "</text>\n";
   }
   [[nodiscard]] std::string text_group(const char* name, const char* anchor) const {
     return std::string("<g class=\"") + name + "\" font-family=\"sans-serif\" font-size=\"" + length(kFont) +
@@ -117,7 +119,9 @@ class BandsDrawing {
     for (const BandsPicture::Mark& mark : picture_.marks) {
       if (mark.step >= picture_.bands.size()) continue;
       lines += line(x(mark.step), kTop, x(mark.step), kBottom);
-      names += text(x(mark.step), kBottom + 24, mark.name);
+      // The last name ends there: it may be long.
+      const bool last = mark.step > 0 && mark.step + 1 == picture_.bands.size();
+      names += text(x(mark.step), kBottom + 24, mark.name, last ? " text-anchor=\"end\"" : "");
     }
     return stroke("axes", lines + line(kLeft, kBottom, kRight, kBottom) + line(kLeft, kTop, kLeft, kBottom),
                   palette::kEdges, 1) +
