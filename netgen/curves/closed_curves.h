@@ -86,6 +86,8 @@ class CurveTopology {
   [[nodiscard]] bool fill(std::span<const ClosedCurve> curves) const;
 
  private:
+  friend class MappingClassGroup;
+
   std::shared_ptr<const RadialGraph> graph_;
   std::vector<Word> basis_;
   std::vector<std::vector<std::int64_t>> coordinates_;  ///< By basis curve of the graph: in the homology basis.

@@ -150,8 +150,7 @@ MappingClass product(MappingClass f, const MappingClass& g) {
   return f;
 }
 
-MappingClassGroup::MappingClassGroup(const Surface& surface)
-    : surface_(surface), graph_(std::make_shared<const RadialGraph>(surface)), topology_(surface) {
+MappingClassGroup::MappingClassGroup(const Surface& surface) : surface_(surface), topology_(surface) {
   const std::vector<Word>& basis = topology_.homology_basis();
   const std::uint32_t genus = surface.genus();
   const auto a = [&](std::size_t i) { return basis[2 * i]; };
@@ -170,10 +169,10 @@ MappingClassGroup::MappingClassGroup(const Surface& surface)
   add('a', genus, a);
   add('b', genus, b);
   add('c', genus - 1, c);
-  chain_.push_back(graph_->walk_of(a(0)));
+  chain_.push_back(graph().walk_of(a(0)));
   for (std::size_t i = 0; i < genus; ++i) {
-    if (i > 0) chain_.push_back(graph_->walk_of(c(i - 1)));
-    chain_.push_back(graph_->walk_of(b(i)));
+    if (i > 0) chain_.push_back(graph().walk_of(c(i - 1)));
+    chain_.push_back(graph().walk_of(b(i)));
   }
 }
 
@@ -198,13 +197,13 @@ std::vector<MappingClassGroup::Images> MappingClassGroup::images_of(const Mappin
 MappingClassGroup::Walk MappingClassGroup::image(const std::vector<Images>& f, Walk curve) const {
   for (auto twist = f.rbegin(); twist != f.rend(); ++twist) {
     Word image;
-    for (const SideId s : graph_->path(graph_->sides_of(curve))) {
+    for (const SideId s : graph().path(graph().sides_of(curve))) {
       image = concatenated(surface_, std::move(image), (*twist)[s]);
       if (image.size() > kMostLetters) {
         throw LimitError("the image of a curve has more than " + std::to_string(kMostLetters) + " letters");
       }
     }
-    curve = graph_->walk_of(image);
+    curve = graph().walk_of(image);
   }
   return curve;
 }

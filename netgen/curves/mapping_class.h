@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <gmpxx.h>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,7 +55,7 @@ class MappingClassGroup {
   /// (S. Humphries, Generators for the mapping class group, 1979).
   [[nodiscard]] const std::vector<NamedCurve>& generators() const { return generators_; }
 
-  /// Reads a product such as "a1 b2^-1 C1 (0 6 1)^2": a name of `generators`, or in upper case its inverse, or a word
+  /// Reads a product such as "a1 b2^-1 C1 (1 6)^2": a name of `generators`, or in upper case its inverse, or a word
   /// in parentheses, each with an exponent or without. Throws MappingClassError.
   [[nodiscard]] MappingClass parse(std::string_view text) const;
 
@@ -94,8 +93,9 @@ class MappingClassGroup {
   [[nodiscard]] std::vector<Images> images_of(const MappingClass& f) const;
   [[nodiscard]] Walk image(const std::vector<Images>& f, Walk curve) const;
 
+  [[nodiscard]] const RadialGraph& graph() const { return *topology_.graph_; }
+
   Surface surface_;
-  std::shared_ptr<const RadialGraph> graph_;
   CurveTopology topology_;
   std::vector<NamedCurve> generators_;
   std::vector<Walk> chain_;  ///< a₁, b₁, c₁, b₂, c₂, …, b_g

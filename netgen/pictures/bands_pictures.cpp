@@ -11,9 +11,9 @@
 namespace epsnet {
 namespace {
 
-class BandsDrawing {
+class BandsDrawing : Diagram {
  public:
-  BandsDrawing(const BandsPicture& picture, std::uint32_t size) : picture_(picture), size_(size), unit_(size / 1000.0) {
+  BandsDrawing(const BandsPicture& picture, std::uint32_t size) : Diagram(size, 620), picture_(picture) {
     double greatest = 0;
     for (const auto& step : picture.bands) {
       for (const certify::Interval& in : step) greatest = std::max(greatest, in.upper);
@@ -21,55 +21,27 @@ class BandsDrawing {
     if (greatest > 0 && std::isfinite(greatest)) top_ = 1.06 * greatest;
   }
 
-  [[nodiscard]] std::string svg() const { return head() + grid() + lines() + intervals() + marks() + "</svg>\n"; }
+  [[nodiscard]] std::string svg() const {
+    return head("Bands", "Eigenvalues of the Laplacian with phases along a path: intervals that contain them.") +
+           grid() + lines() + intervals() + marks() + "</svg>\n";
+  }
 
  private:
-  static constexpr double kFont = 15;
   static constexpr double kLeft = 62;
   static constexpr double kRight = 978;
   static constexpr double kTop = 24;
   static constexpr double kBottom = 572;
-  static constexpr double kHeight = 620;
   static constexpr std::array<const char*, 4> kColours{palette::kPaths, palette::kDirichlet, palette::kCoveringDisks,
                                                        palette::kCombinatorialDirichlet};
 
-  [[nodiscard]] std::string length(double units) const { return fixed(units * unit_, 2); }
   [[nodiscard]] double x(std::size_t step) const {
     const std::size_t last = std::max<std::size_t>(picture_.bands.size(), 2) - 1;
     return kLeft + (kRight - kLeft) * static_cast<double>(step) / static_cast<double>(last);
   }
   [[nodiscard]] double y(double lambda) const { return kBottom - (kBottom - kTop) * std::min(lambda / top_, 1.0); }
-  [[nodiscard]] std::string line(double x0, double y0, double x1, double y1) const {
-    return "M" + length(x0) + ' ' + length(y0) + 'L' + length(x1) + ' ' + length(y1);
-  }
-  [[nodiscard]] std::string stroke(const std::string& name, const std::string& data, const char* colour,
-                                   double width) const {
-    return "<path class=\"" + name + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + length(width) +
-           "\" d=\"" + data + "\"/>\n";
-  }
-  [[nodiscard]] std::string text(double at_x, double at_y, const std::string& what,
-                                 const std::string& attributes = "") const {
-    return "<text x=\"" + length(at_x) + "\" y=\"" + length(at_y) + "\"" + attributes + ">" + escaped(what) +
-           "</text>\n";
-  }
-  [[nodiscard]] std::string text_group(const char* name, const char* anchor) const {
-    return std::string("<g class=\"") + name + "\" font-family=\"sans-serif\" font-size=\"" + length(kFont) +
-           "\" fill=\"#1d2b3a\" text-anchor=\"" + anchor + "\">\n";
-  }
-
-  [[nodiscard]] std::string head() const {
-    const std::string width = std::to_string(size_);
-    const std::string height = std::to_string(std::lround(kHeight * unit_));
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-           "\" viewBox=\"0 0 " + width + " " + height +
-           "\">\n<title>Bands</title>\n<desc>Eigenvalues of the Laplacian with phases along a path: intervals that "
-           "contain them.</desc>\n<rect class=\"background\" width=\"" +
-           width + "\" height=\"" + height + "\" fill=\"" + palette::kPaper + "\"/>\n";
-  }
 
   [[nodiscard]] std::string grid() const {
-    const double power = std::pow(10, std::floor(std::log10(top_ / 5)));
-    const double step = top_ / power > 25 ? 5 * power : top_ / power > 10 ? 2 * power : power;
+    const double step = tick_step(top_);
     std::string across;
     std::string beside = text_group("eigenvalues", "end");
     for (double tick = 0; tick <= top_; tick += step) {
@@ -129,8 +101,6 @@ class BandsDrawing {
   }
 
   const BandsPicture& picture_;
-  std::uint32_t size_;
-  double unit_;
   double top_ = 1;
 };
 

@@ -24,15 +24,6 @@ using Step = EigenvaluesPicture::Step;
 constexpr const char* kNotCounted = "#8a94a0";
 constexpr const char* kWeyl = "#5d6b7a";
 
-/// A round number, 1, 2 or 5 times a power of ten: about a seventh of the range.
-double tick_step(double range) {
-  const double power = std::pow(10, std::floor(std::log10(range / 7)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (range / (factor * power) <= 9) return factor * power;
-  }
-  return 10 * power;
-}
-
 /// What a row says: from λ on there are at least so many, or up to λ at most so many.
 struct Bounds {
   std::vector<Step> least;
@@ -70,10 +61,10 @@ void keep_stairs(Bounds& bounds) {
   bounds = {std::move(least), std::move(most)};
 }
 
-class EigenvaluesDrawing {
+class EigenvaluesDrawing : Diagram {
  public:
   EigenvaluesDrawing(const EigenvaluesPicture& picture, std::uint32_t size)
-      : picture_(picture), size_(size), unit_(size / 1000.0), end_(picture.end) {
+      : Diagram(size, 620), picture_(picture), end_(picture.end) {
     double highest = std::max(1.0, picture.weyl * end_);
     for (const std::vector<Step>* steps : {&picture.least, &picture.most})
       for (const auto& [lambda, count] : *steps)
@@ -82,54 +73,28 @@ class EigenvaluesDrawing {
   }
 
   [[nodiscard]] std::string svg() const {
-    return head() + bands() + grid() + weyl() + stairs() + places() + labels() + legend() + "</svg>\n";
+    return head(
+               picture_.title,
+               "Eigenvalues of the Laplacian: intervals that contain them, and how many are at least and at most below "
+               "each place.") +
+           bands() + grid() + weyl() + stairs() + places() + labels() + legend() + "</svg>\n";
   }
 
  private:
-  static constexpr double kFont = 15;
   static constexpr double kLeft = 62;
   static constexpr double kRight = 978;
   static constexpr double kTop = 152;
   static constexpr double kBottom = 560;
-  static constexpr double kHeight = 620;
 
-  [[nodiscard]] std::string length(double units) const { return fixed(units * unit_, 2); }
   [[nodiscard]] double x(double lambda) const { return kLeft + (kRight - kLeft) * std::min(lambda / end_, 1.0); }
   [[nodiscard]] double y(double count) const { return kBottom - (kBottom - kTop) * count / top_; }
 
-  [[nodiscard]] std::string line(double x0, double y0, double x1, double y1) const {
-    return "M" + length(x0) + ' ' + length(y0) + 'L' + length(x1) + ' ' + length(y1);
-  }
-  [[nodiscard]] std::string stroke(const char* name, const std::string& data, const char* colour, double width,
-                                   const char* more = "") const {
-    return std::string("<path class=\"") + name + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" +
-           length(width) + "\" " + more + "d=\"" + data + "\"/>\n";
-  }
   /// An area of at least a width that can be seen.
   [[nodiscard]] std::string area(double from, double to, double upper, double lower, double least) const {
     const double missing = std::max(0.0, least - (to - from));
     return "<rect x=\"" + length(from - missing / 2) + "\" y=\"" + length(upper) + "\" width=\"" +
            length(to - from + missing) + "\" height=\"" + length(lower - upper) + "\"/>\n";
   }
-  [[nodiscard]] std::string text(double at_x, double at_y, const std::string& what) const {
-    return "<text x=\"" + length(at_x) + "\" y=\"" + length(at_y) + "\">" + escaped(what) + "</text>\n";
-  }
-  [[nodiscard]] std::string text_group(const char* name, const char* anchor) const {
-    return std::string("<g class=\"") + name + "\" font-family=\"sans-serif\" font-size=\"" + length(kFont) +
-           "\" fill=\"#1d2b3a\" text-anchor=\"" + anchor + "\">\n";
-  }
-
-  [[nodiscard]] std::string head() const {
-    const std::string width = std::to_string(size_);
-    const std::string height = std::to_string(std::lround(kHeight * unit_));
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-           "\" viewBox=\"0 0 " + width + " " + height + "\">\n<title>" + escaped(picture_.title) +
-           "</title>\n<desc>Eigenvalues of the Laplacian: intervals that contain them, and how many are at least and "
-           "at "
-           "most below each place.</desc>\n<rect class=\"background\" width=\"" +
-           width + "\" height=\"" + height + "\" fill=\"" + palette::kPaper + "\"/>\n";
-  }
-
   [[nodiscard]] std::string bands() const {
     std::string out =
         std::string("<g class=\"enclosures\" fill=\"") + palette::kCoveringDisks + "\" fill-opacity=\"0.3\">\n";
@@ -207,7 +172,7 @@ class EigenvaluesDrawing {
   }
 
   [[nodiscard]] std::string legend() const {
-    Legend legend(1.25 * unit_);
+    Legend legend(1.25 * unit());
     legend.add(Mark::area, palette::kDirichlet,
                "intervals that contain the eigenvalues, and above each their number, if it is not 1");
     legend.add(Mark::line, palette::kPaths, "at least so many eigenvalues are less than \u03bb");
@@ -221,8 +186,6 @@ class EigenvaluesDrawing {
   static constexpr const char* kDashes = "stroke-dasharray=\"4 4\" ";
 
   const EigenvaluesPicture& picture_;
-  std::uint32_t size_;
-  double unit_;
   double end_;
   double top_;
 };

@@ -208,6 +208,44 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+std::string Diagram::length(double units) const { return fixed(units * unit_, 2); }
+
+std::string Diagram::line(double x0, double y0, double x1, double y1) const {
+  return "M" + length(x0) + ' ' + length(y0) + 'L' + length(x1) + ' ' + length(y1);
+}
+
+std::string Diagram::stroke(const std::string& name, const std::string& data, const char* colour, double width,
+                            const std::string& attributes) const {
+  return "<path class=\"" + name + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + length(width) +
+         "\" " + attributes + "d=\"" + data + "\"/>\n";
+}
+
+std::string Diagram::text(double x, double y, const std::string& what, const std::string& attributes) const {
+  return "<text x=\"" + length(x) + "\" y=\"" + length(y) + "\"" + attributes + ">" + escaped(what) + "</text>\n";
+}
+
+std::string Diagram::text_group(const char* name, const char* anchor) const {
+  return std::string("<g class=\"") + name + "\" font-family=\"sans-serif\" font-size=\"" + length(kFont) +
+         "\" fill=\"#1d2b3a\" text-anchor=\"" + anchor + "\">\n";
+}
+
+double Diagram::tick_step(double range) {
+  const double power = std::pow(10, std::floor(std::log10(range / 7)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (range / (factor * power) <= 9) return factor * power;
+  }
+  return 10 * power;
+}
+
+std::string Diagram::head(const std::string& title, const std::string& description) const {
+  const std::string width = std::to_string(size_);
+  const std::string height = std::to_string(std::lround(height_ * unit_));
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " +
+         width + " " + height + "\">\n<title>" + escaped(title) + "</title>\n<desc>" + description +
+         "</desc>\n<rect class=\"background\" width=\"" + width + "\" height=\"" + height + "\" fill=\"" +
+         palette::kPaper + "\"/>\n";
+}
+
 void Legend::add(Mark mark, const std::string& colour, const std::string& name) {
   next_row();
   add_mark(mark, colour, 10);

@@ -126,6 +126,37 @@ class PathsByWidth {
 /// Returns the text with the escapes that XML needs between tags.
 [[nodiscard]] std::string escaped(const std::string& text);
 
+/// Lines and texts of a diagram with axes. Places are in units of a thousandth of its width, to the right and
+/// downwards.
+class Diagram {
+ public:
+  /// So many pixels wide, and so many units high.
+  Diagram(std::uint32_t size, double height) : size_(size), unit_(size / 1000.0), height_(height) {}
+
+ protected:
+  static constexpr double kFont = 15;
+
+  /// The pixels of a unit.
+  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] std::string length(double units) const;
+  /// The data of a path.
+  [[nodiscard]] std::string line(double x0, double y0, double x1, double y1) const;
+  [[nodiscard]] std::string stroke(const std::string& name, const std::string& data, const char* colour, double width,
+                                   const std::string& attributes = "") const;
+  [[nodiscard]] std::string text(double x, double y, const std::string& what, const std::string& attributes = "") const;
+  /// The start of a group of texts with an anchor: start, middle or end.
+  [[nodiscard]] std::string text_group(const char* name, const char* anchor) const;
+  /// A round number, 1, 2 or 5 times a power of ten: about a seventh of the range.
+  [[nodiscard]] static double tick_step(double range);
+  /// The start of the file.
+  [[nodiscard]] std::string head(const std::string& title, const std::string& description) const;
+
+ private:
+  std::uint32_t size_;
+  double unit_;
+  double height_;
+};
+
 /// How a legend shows what a name stands for.
 enum class Mark { area, line, dot };
 

@@ -23,7 +23,7 @@
 namespace epsnet::program {
 namespace {
 
-constexpr std::uint32_t kMostPoints = 100'000;
+constexpr std::uint32_t kMostPoints = 10'000;
 constexpr const char* kPhaseLines = "points, expected the phases of one on each line, as in 0 1/3 0.25 -1/2";
 
 struct BandsRequest {
@@ -88,7 +88,8 @@ TorusPath path_of(const BandsRequest& request, const Surface& surface) {
     }
     result.points = torus_path(corners, request.steps);
   }
-  if (result.points.size() > kMostPoints) throw JobError("the path has more than 100000 points");
+  if (result.points.size() > kMostPoints)
+    throw JobError("the path has more than " + std::to_string(kMostPoints) + " points");
   return result;
 }
 

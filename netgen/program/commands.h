@@ -69,7 +69,7 @@ void add_help_command(CLI::App& app, Job& chosen);
 inline constexpr const char* kSurfaceHelp = "a surface file, or any file that has a surface, such as a net file";
 /// The help text for a product of Dehn twists.
 inline constexpr const char* kProductHelp =
-    "a product of Dehn twists, the last one first, as in \"a1 b2^-1 C1 (0 6 1)^2\": generators, in upper case their "
+    "a product of Dehn twists, the last one first, as in \"a1 b2^-1 C1 (1 6)^2\": generators, in upper case their "
     "inverses, or simple closed curves as words of sides in parentheses";
 /// Adds a required argument, a file to read. `name` is that of the argument, such as NET.
 void add_input(CLI::App& command, const char* name, std::string& path, const char* what);

@@ -4,9 +4,8 @@
 
 #include "netgen/base/gmp.h"
 #include "netgen/curves/closed_curves.h"
-#include "netgen/curves/length_derivatives.h"
+#include "netgen/curves/lengths.h"
 #include "netgen/curves/mapping_class.h"
-#include "netgen/curves/maximal_systole.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"

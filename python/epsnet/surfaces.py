@@ -783,7 +783,7 @@ class Surface(Drawn, Immutable):
         return maximize_systole(self, steps, threads, progress)
 
     def mapping_class(self, product: Any = "") -> MappingClass:
-        """A product of Dehn twists, of which the last one acts first: a text such as ``"a1 b2^-1 C1 (0 6 1)^2"``, with names of
+        """A product of Dehn twists, of which the last one acts first: a text such as ``"a1 b2^-1 C1 (1 6)^2"``, with names of
         ``mapping_class_generators()``, in upper case for inverses, or simple closed curves as words in parentheses; or pairs of a curve and a power.
 
         >>> import epsnet

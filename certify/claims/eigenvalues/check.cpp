@@ -209,7 +209,7 @@ class HermitianForm {
   HermitianForm(const LineBundle& bundle, const Budget& budget, std::size_t triangles)
       : bundle_(bundle), budget_(budget) {
     const std::uint64_t entries = multiple_of_rows() == 1 ? 6 : 18;
-    budget.require(memory_work(16 * entries), triangles);
+    budget.require(memory_work(sizeof(MatrixEntry) * entries), triangles);
     entries_.reserve(entries * triangles);
   }
 

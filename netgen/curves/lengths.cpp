@@ -1,8 +1,9 @@
-#include "netgen/curves/maximal_systole.h"
+#include "netgen/curves/lengths.h"
 
 #include <ClpSimplex.hpp>
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,6 +15,293 @@
 #include "netgen/pants/pants.h"
 
 namespace epsnet {
+namespace {
+
+using certify::Ball;
+
+constexpr slong kBitsOfDerivatives = 192;
+
+/// A number with its derivatives. One without any is a constant.
+template <class T>
+struct Jet {
+  T value{};
+  std::vector<T> derivatives = {};
+};
+
+Ball number(long n, const Ball* /*kind*/) { return Ball::exactly(n); }
+Ball reciprocal(const Ball& x) { return 1 / x; }
+template <class T>
+Jet<T> number(long n, const Jet<T>* /*kind*/) {
+  return {number(n, static_cast<const T*>(nullptr)), {}};
+}
+
+/// f(x, y), of which the derivative is dx · by_x + dy · by_y.
+template <class T>
+Jet<T> combined(T value, const Jet<T>& x, const T& by_x, const Jet<T>& y, const T& by_y) {
+  Jet<T> result{std::move(value), {}};
+  for (std::size_t i = 0; i < std::max(x.derivatives.size(), y.derivatives.size()); ++i) {
+    if (y.derivatives.empty()) {
+      result.derivatives.push_back(x.derivatives[i] * by_x);
+    } else if (x.derivatives.empty()) {
+      result.derivatives.push_back(y.derivatives[i] * by_y);
+    } else {
+      result.derivatives.push_back(x.derivatives[i] * by_x + y.derivatives[i] * by_y);
+    }
+  }
+  return result;
+}
+/// f(x), of which the derivative is `slope`.
+template <class T>
+Jet<T> composed(T value, const Jet<T>& x, const T& slope) {
+  Jet<T> result{std::move(value), {}};
+  for (const T& dx : x.derivatives) result.derivatives.push_back(dx * slope);
+  return result;
+}
+
+template <class T>
+Jet<T> operator+(const Jet<T>& x, const Jet<T>& y) {
+  const T one = number(1, static_cast<const T*>(nullptr));
+  return combined(T(x.value + y.value), x, one, y, one);
+}
+template <class T>
+Jet<T> operator-(const Jet<T>& x) {
+  return composed(T(-x.value), x, number(-1, static_cast<const T*>(nullptr)));
+}
+template <class T>
+Jet<T> operator-(const Jet<T>& x, const Jet<T>& y) {
+  return x + (-y);
+}
+template <class T>
+Jet<T> operator*(const Jet<T>& x, const Jet<T>& y) {
+  return combined(T(x.value * y.value), x, y.value, y, x.value);
+}
+template <class T>
+Jet<T> reciprocal(const Jet<T>& x) {
+  const T value = reciprocal(x.value);
+  return composed(value, x, T(-(value * value)));
+}
+template <class T>
+Jet<T> operator/(const Jet<T>& x, const Jet<T>& y) {
+  return x * reciprocal(y);
+}
+template <class T>
+Jet<T> sqrt(const Jet<T>& x) {
+  const T value = sqrt(x.value);
+  return composed(value, x, reciprocal(T(value + value)));
+}
+template <class T>
+Jet<T> exp(const Jet<T>& x) {
+  const T value = exp(x.value);
+  return composed(value, x, value);
+}
+template <class T>
+Jet<T> acosh(const Jet<T>& x) {
+  const T one = number(1, static_cast<const T*>(nullptr));
+  return composed(T(acosh(x.value)), x, reciprocal(T(sqrt(T(x.value * x.value - one)))));
+}
+
+/// A matrix of positive determinant, which acts on the upper half-plane.
+template <class T>
+struct HalfPlaneMatrix {
+  T a, b, c, d;
+
+  HalfPlaneMatrix operator*(const HalfPlaneMatrix& n) const {
+    return {a * n.a + b * n.c, a * n.b + b * n.d, c * n.a + d * n.c, c * n.b + d * n.d};
+  }
+  [[nodiscard]] T determinant() const { return a * d - b * c; }
+};
+
+/// The inverse, but for a factor.
+template <class T>
+HalfPlaneMatrix<T> adjugate(const HalfPlaneMatrix<T>& m) {
+  return {m.d, -m.b, -m.c, m.a};
+}
+
+/// The crossings of the sides of heptagons, as docs/fenchel-nielsen.md makes them, but with base points that do not
+/// matter: only the products of their heights do.
+template <class T>
+class Heptagons {
+ public:
+  using M = HalfPlaneMatrix<T>;
+
+  Heptagons(const PantsGraph& graph, const std::vector<T>& coordinates) {
+    const std::size_t edges = graph.edges().size();
+    std::vector<T> r;
+    for (std::size_t e = 0; e < edges; ++e) r.push_back(exp(coordinates[e] / of(2)));
+    std::vector<Pants> pants;
+    for (std::uint32_t p = 0; p < graph.pants_count(); ++p) {
+      pants.emplace_back(std::array<T, 3>{r[graph.edge_at(p, 0)], r[graph.edge_at(p, 1)], r[graph.edge_at(p, 2)]});
+      const auto& [first, second] = pants.back().generators;
+      crossings_.resize(crossings_.size() + kSides, M{of(1), of(0), of(0), of(1)});
+      crossing(p, 0) = second;
+      crossing(p, 2) = adjugate(second);
+      crossing(p, 5) = second * first;
+      crossing(p, 3) = adjugate(second * first);
+    }
+    for (std::size_t e = 0; e < edges; ++e) {
+      const auto& [one, other] = graph.edges()[e];
+      const Cuff& from = pants[one.pants].cuffs[one.cuff];
+      const Cuff& to = pants[other.pants].cuffs[other.cuff];
+      // The product of the heights of the ends that meet: f f′ e^τ times r² or r⁻², from base points to ends of sides.
+      T product = from.mark * to.mark * exp(coordinates[edges + e]);
+      const T square = r[e] * r[e];
+      if (one.cuff == 0 && other.cuff == 0) product = product / square;
+      if (one.cuff != 0 && other.cuff != 0) product = product * square;
+      const M across = to.frame * M{of(0), -product, of(1), of(0)} * adjugate(from.frame);
+      crossing(one.pants, kCuffSides[one.cuff]) = across;
+      crossing(other.pants, kCuffSides[other.cuff]) = adjugate(across);
+    }
+  }
+
+  /// The length of the closed geodesic of a path.
+  [[nodiscard]] T length(const Word& word) const {
+    M product = crossings_[word.front().number()];
+    for (std::size_t i = 1; i < word.size(); ++i) product = crossings_[word[i].number()] * product;
+    const T trace = product.a + product.d;
+    return acosh(trace * trace / (of(2) * product.determinant()) - of(1));
+  }
+
+ private:
+  static constexpr std::uint32_t kSides = 7;
+  static constexpr std::array<std::uint32_t, 3> kCuffSides{6, 1, 4};
+
+  static T of(long n) { return number(n, static_cast<const T*>(nullptr)); }
+
+  /// The cuff as seen from the pants: in its frame it runs from 0 to ∞, and the mark is at this height.
+  struct Cuff {
+    M frame;
+    T mark;
+  };
+  struct Pants {
+    explicit Pants(const std::array<T, 3>& r) {
+      const auto& [r1, r2, r3] = r;
+      const T t2 = r2 + of(1) / r2;
+      const T t3 = r3 + of(1) / r3;
+      const T a = -(t3 + t2 / r1) / (r1 - of(1) / r1);
+      const T d = t2 - a;
+      const M first{r1, of(0), of(0), of(1) / r1};
+      const M second{a, a * d - of(1), of(1), d};
+      const auto axis = [](const T& from, const T& to) { return M{to, from, of(1), of(1)}; };
+      const std::array<M, 3> axes{M{of(1), of(0), of(0), of(1)}, axis(of(1) / r2 - d, r2 - d),
+                                  axis(-(r1 * r3) - d, -(r1 / r3) - d)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const M next = adjugate(axes[k]) * axes[(k + 1) % 3];
+        const T mark = sqrt(next.b / next.d * (next.a / next.c));
+        cuffs.push_back({k == 2 ? second * axes[k] : axes[k], mark});
+      }
+      generators = {first, second};
+    }
+
+    std::array<M, 2> generators;  ///< D₁ and D₂.
+    std::vector<Cuff> cuffs;
+  };
+
+  M& crossing(std::uint32_t pants, std::uint32_t side) { return crossings_[std::size_t{kSides} * pants + side]; }
+
+  std::vector<M> crossings_;  ///< By side: from the coordinates of its heptagon to those of the neighbour.
+};
+
+template <class T>
+Jet<T> variable(T value, std::size_t i, std::size_t count) {
+  Jet<T> result{std::move(value), std::vector<T>(count, number(0, static_cast<const T*>(nullptr)))};
+  result.derivatives[i] = number(1, static_cast<const T*>(nullptr));
+  return result;
+}
+
+Ball ball_of_interval(const certify::Interval& x) {
+  const Ball middle = certify::half(Ball::exactly(x.lower) + Ball::exactly(x.upper));
+  Ball result = middle;
+  const Ball radius = certify::half(Ball::exactly(x.upper) - Ball::exactly(x.lower));
+  arb_add_error(result.get(), radius.get());
+  return result;
+}
+
+}  // namespace
+
+EnclosedCoordinates enclosed_coordinates(const PantsDecomposition& pants) {
+  if (!pants.own) {
+    throw SurfaceError(
+        "its tiles are not the heptagons of Fenchel-Nielsen coordinates; surface fenchel-nielsen --from makes them of "
+        "a "
+        "pants file");
+  }
+  EnclosedCoordinates result{pants.graph, {}};
+  for (const PantsDecomposition::Cuff& cuff : pants.cuffs) result.values.push_back(cuff.length);
+  for (const PantsDecomposition::Cuff& cuff : pants.cuffs) {
+    // The sides of the heptagons meet as for a twist of at least −½ and less than ½ of the length.
+    const bool is_half = 2 * cuff.twist.upper >= cuff.length.lower;
+    result.values.push_back(is_half ? certify::Interval{-cuff.twist.upper, -cuff.twist.lower} : cuff.twist);
+  }
+  return result;
+}
+
+namespace {
+
+using BallJet = Jet<Ball>;
+
+/// The length with its first and second derivatives, at all points of a box.
+Jet<BallJet> length_over(const PantsGraph& graph, const std::vector<Ball>& box, const Word& word) {
+  std::vector<Jet<BallJet>> variables;
+  for (std::size_t i = 0; i < box.size(); ++i)
+    variables.push_back(variable(variable(box[i], i, box.size()), i, box.size()));
+  return Heptagons<Jet<BallJet>>(graph, variables).length(word);
+}
+
+Ball derivative(const BallJet& x, std::size_t i) { return x.derivatives.empty() ? Ball() : x.derivatives[i]; }
+
+certify::Interval checked(const Ball& x) {
+  const certify::Interval result = certify::outer_interval(x);
+  if (!std::isfinite(result.lower) || !std::isfinite(result.upper))
+    throw LimitError("coordinates are not known well enough for a derivative of a length");
+  return result;
+}
+
+}  // namespace
+
+LengthDerivatives length_derivatives(const EnclosedCoordinates& coordinates, const Word& word, bool second) {
+  const certify::Precision scope(kBitsOfDerivatives);
+  std::vector<Ball> box;
+  std::vector<BallJet> middle;
+  std::vector<Ball> errors;
+  const std::size_t count = coordinates.values.size();
+  for (const certify::Interval& x : coordinates.values) {
+    box.push_back(ball_of_interval(x));
+    const Ball centre = certify::half(Ball::exactly(x.lower) + Ball::exactly(x.upper));
+    errors.push_back(box.back() - centre);
+    middle.push_back(variable(centre, middle.size(), count));
+  }
+  const BallJet at_middle = Heptagons<BallJet>(coordinates.graph, middle).length(word);
+  const bool is_point =
+      std::all_of(errors.begin(), errors.end(), [](const Ball& x) { return certify::is_exactly_zero(x); });
+  LengthDerivatives result;
+  if (is_point && !second) {
+    result.length = checked(at_middle.value);
+    for (std::size_t i = 0; i < count; ++i) result.gradient.push_back(checked(derivative(at_middle, i)));
+    return result;
+  }
+  // By the mean value theorem: products of many matrices over a box would be far too wide.
+  const Jet<BallJet> over = length_over(coordinates.graph, box, word);
+  const auto second_over = [&](std::size_t i, std::size_t j) {
+    return over.derivatives.empty() ? Ball() : derivative(over.derivatives[i], j);
+  };
+  Ball length = at_middle.value;
+  for (std::size_t i = 0; i < count; ++i) {
+    length += derivative(over.value, i) * errors[i];
+    Ball slope = derivative(at_middle, i);
+    auto& row = result.second.emplace_back();
+    for (std::size_t j = 0; j < count; ++j) {
+      slope += second_over(i, j) * errors[j];
+      row.push_back(checked(second_over(i, j)));
+    }
+    result.gradient.push_back(checked(slope));
+  }
+  result.length = checked(length);
+  if (!second) result.second.clear();
+  return result;
+}
+
+// ---- the greatest systoles ----
+
 namespace {
 
 using certify::Interval;
@@ -167,7 +455,7 @@ class Climb {
 
 // ---- the proof: docs/curves.md, "A local maximum" ----
 
-using Matrix = Eigen::MatrixXd;
+using DenseMatrix = Eigen::MatrixXd;
 using Index = Eigen::Index;
 using IntervalMatrix = std::vector<std::vector<Interval>>;
 
@@ -197,12 +485,12 @@ IntervalMatrix transposed(const IntervalMatrix& matrix) {
 /// Nothing if it may have none.
 std::optional<double> norm_of_inverse(const IntervalMatrix& matrix) {
   const std::size_t size = matrix.size();
-  Matrix middle(size, size);
+  DenseMatrix middle(size, size);
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < size; ++j)
       middle(static_cast<Index>(i), static_cast<Index>(j)) = middle_of(matrix[i][j]);
   }
-  const Matrix inverse = middle.inverse();
+  const DenseMatrix inverse = middle.inverse();
   if (!inverse.allFinite()) return std::nullopt;
   IntervalMatrix approximate(size);
   IntervalMatrix rest(size);
@@ -221,13 +509,13 @@ std::optional<double> norm_of_inverse(const IntervalMatrix& matrix) {
 }
 
 /// λ ≥ 0 with the sum 1 and Σ λ_i g_i = 0, about, of which the least one is as great as possible.
-std::optional<std::vector<double>> balance(const std::vector<LengthDerivatives>& curves) {
-  const std::size_t count = curves.size();
-  const std::size_t dimension = curves[0].gradient.size();
+std::optional<std::vector<double>> balance(std::span<const std::vector<Interval>> gradients) {
+  const std::size_t count = gradients.size();
+  const std::size_t dimension = gradients[0].size();
   std::vector<std::vector<double>> rows(dimension + 1, std::vector<double>(count + 1, 0));
   std::vector<double> values(dimension + 1, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < dimension; ++j) rows[j][i] = middle_of(curves[i].gradient[j]);
+    for (std::size_t j = 0; j < dimension; ++j) rows[j][i] = middle_of(gradients[i][j]);
     rows[dimension][i] = 1;
   }
   values[dimension] = 1;
@@ -247,15 +535,15 @@ std::optional<std::vector<double>> balance(const std::vector<LengthDerivatives>&
   return found;
 }
 
-/// Curves of which the gradients are a basis.
-std::vector<std::size_t> independent(const std::vector<LengthDerivatives>& curves) {
-  const auto dimension = static_cast<Index>(curves[0].gradient.size());
-  Matrix gradients(dimension, static_cast<Index>(curves.size()));
-  for (std::size_t i = 0; i < curves.size(); ++i) {
+/// Those that are a basis.
+std::vector<std::size_t> independent(std::span<const std::vector<Interval>> gradients) {
+  const auto dimension = static_cast<Index>(gradients[0].size());
+  DenseMatrix columns(dimension, static_cast<Index>(gradients.size()));
+  for (std::size_t i = 0; i < gradients.size(); ++i) {
     for (Index j = 0; j < dimension; ++j)
-      gradients(j, static_cast<Index>(i)) = middle_of(curves[i].gradient[static_cast<std::size_t>(j)]);
+      columns(j, static_cast<Index>(i)) = middle_of(gradients[i][static_cast<std::size_t>(j)]);
   }
-  const Eigen::ColPivHouseholderQR<Matrix> decomposition(gradients);
+  const Eigen::ColPivHouseholderQR<DenseMatrix> decomposition(columns);
   std::vector<std::size_t> result;
   for (Index k = 0; k < dimension; ++k)
     result.push_back(static_cast<std::size_t>(decomposition.colsPermutation().indices()[k]));
@@ -283,47 +571,52 @@ double curvature(EnclosedCoordinates coordinates, double distance, std::span<con
 
 }  // namespace
 
-std::optional<NearMaximum> near_maximum(const EnclosedCoordinates& coordinates, const Interval& systole,
-                                        std::span<const Word> systoles) {
-  const std::size_t dimension = coordinates.values.size();
-  if (systoles.size() <= dimension) return std::nullopt;
-  std::vector<LengthDerivatives> curves;
-  double longest = 0;
-  for (const Word& word : systoles) {
-    curves.push_back(length_derivatives(coordinates, word));
-    longest = std::max(longest, curves.back().length.upper);
-  }
-  const auto weights = balance(curves);
+std::optional<double> slope_of_least(std::span<const std::vector<Interval>> gradients) {
+  if (gradients.empty() || gradients.size() <= gradients[0].size()) return std::nullopt;
+  const std::size_t dimension = gradients[0].size();
+  const auto weights = balance(gradients);
   if (!weights) return std::nullopt;
-  const std::vector<std::size_t> basis = independent(curves);
+  const std::vector<std::size_t> basis = independent(gradients);
   IntervalMatrix rows;
-  for (const std::size_t i : basis) rows.push_back(curves[i].gradient);
+  for (const std::size_t i : basis) rows.push_back(gradients[i]);
   const auto inverse = norm_of_inverse(rows);
   const auto inverse_of_transposed = norm_of_inverse(transposed(rows));
   if (!inverse || !inverse_of_transposed) return std::nullopt;
   // The weights of the basis are changed so that the sum of all is 0, by no more than that.
-  Interval total{0, 0};
   double rest = 0;
   for (std::size_t j = 0; j < dimension; ++j) {
     Interval sum{0, 0};
-    for (std::size_t i = 0; i < curves.size(); ++i) sum = sum + point((*weights)[i]) * curves[i].gradient[j];
+    for (std::size_t i = 0; i < gradients.size(); ++i) sum = sum + point((*weights)[i]) * gradients[i][j];
     rest = std::max(rest, size_of(sum));
   }
   const Interval change = point(*inverse_of_transposed) * point(rest);
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t i : basis) least = std::min(least, (point((*weights)[i]) - change).lower);
-  for (const double weight : *weights) total = total + point(weight) + change;
   if (!(least > 0)) return std::nullopt;
-  NearMaximum result;
-  result.slope = (point(least) / (point(*inverse) * point(total.upper))).lower;
+  Interval total{0, 0};
+  for (const double weight : *weights) total = total + point(weight) + change;
+  const Interval others = (point(total.upper) - point(least)) / point(least);
+  return (point(1) / (point(*inverse) * point(std::max(others.upper, 1.0)))).lower;
+}
+
+std::optional<NearMaximum> near_maximum(const EnclosedCoordinates& coordinates, const Interval& systole,
+                                        std::span<const Word> systoles) {
+  IntervalMatrix gradients;
+  double longest = 0;
+  for (const Word& word : systoles) {
+    LengthDerivatives derivatives = length_derivatives(coordinates, word);
+    longest = std::max(longest, derivatives.length.upper);
+    gradients.push_back(std::move(derivatives.gradient));
+  }
+  const auto slope = slope_of_least(gradients);
+  if (!slope) return std::nullopt;
   // Where the distance is δ, some curve is no longer than `longest` − slope·δ + ½ curvature δ².
   const double spread = (point(longest) - point(systole.lower)).upper;
   constexpr int kMostTrials = 8;
-  result.distance = std::max(2 * spread / result.slope, 1e-15);
-  for (int i = 0; i < kMostTrials; ++i, result.distance *= 2) {
-    const Interval distance = point(result.distance);
-    const Interval bend = point(curvature(coordinates, result.distance, systoles)) * distance * distance;
-    if ((point(result.slope) * distance - bend - point(spread)).lower > 0) return result;
+  double distance = std::max(2 * spread / *slope, 1e-15);
+  for (int i = 0; i < kMostTrials; ++i, distance *= 2) {
+    const Interval bend = point(curvature(coordinates, distance, systoles)) * point(distance) * point(distance);
+    if ((point(*slope) * point(distance) - bend - point(spread)).lower > 0) return NearMaximum{distance, *slope};
   }
   return std::nullopt;
 }
@@ -360,11 +653,13 @@ SystoleMaximum maximize_systole(const Surface& start, const MaximizeOptions& opt
   Climb first(pants.graph, options, steps);
   Place top = first.climb(middles(pants));
   // Cuffs may have become long on the way, which costs digits: once more, along short ones.
-  of_pants.own = false;
-  pants = pants_decomposition(top.surface, of_pants);
-  Climb second(pants.graph, options, steps);
-  top = second.climb(middles(pants));
-  of_pants.own = true;
+  if (steps < options.steps) {
+    of_pants.own = false;
+    pants = pants_decomposition(top.surface, of_pants);
+    Climb second(pants.graph, options, steps);
+    top = second.climb(middles(pants));
+    of_pants.own = true;
+  }
   SystoleMaximum result{std::move(top.surface), {top.coordinates.graph, {}}, {}, {}, {}, steps};
   result.coordinates = coordinates_near(pants_decomposition(result.surface, of_pants), top.coordinates);
   GeodesicsOptions geodesics;
