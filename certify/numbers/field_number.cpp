@@ -54,6 +54,22 @@ Ball hull(const mpq_class& lower, const mpq_class& upper) {
 /// Whether x is known to within a third of its size.
 bool is_steady(const Ball& x) { return certainly_positive(abs(x) - 3 * abs(x - midpoint(x))) == Tri::yes; }
 
+/// Of two balls that meet.
+Ball intersection(const Ball& x, const Ball& y) {
+  Ball result;
+  arb_intersection(result.get(), x.get(), y.get(), Precision::bits());
+  return result;
+}
+
+Ball radius(const Ball& x) {
+  Ball result;
+  arb_get_rad_arb(result.get(), x.get());
+  return result;
+}
+
+/// Whether x is narrower than y by a quarter at least.
+bool is_narrower(const Ball& x, const Ball& y) { return certainly_positive(3 * radius(y) - 4 * radius(x)) == Tri::yes; }
+
 bool is_known_to(const Ball& x, slong bits) { return mag_cmp_2exp_si(arb_radref(x.get()), -bits) <= 0; }
 
 Polynomial product(const NumberField& field, const Polynomial& x, const Polynomial& y) {
@@ -143,12 +159,17 @@ Ball NumberField::root(slong bits) const {
   if (known != roots_.end()) return known->second;
   Ball x = roots_.rbegin()->second;
   // α = m − f(m)/f′(y) for any m and some y between m and α: each step at least halves the error, near the end squares
-  // it.
-  for (slong precision = bits + 64; !is_known_to(x, bits); precision += 64) {
+  // it; unless f(m) is not known well enough, as large coefficients cancel.
+  for (slong precision = bits + 64; !is_known_to(x, bits);) {
     budget_.spend(4 * ball_work(static_cast<std::uint64_t>(precision)), degree());
     const Precision scope(precision);
     const Ball m = midpoint(x);
-    x = m - evaluated(f_, m) / evaluated(derivative_, x);
+    const Ball closer = m - evaluated(f_, m) / evaluated(derivative_, x);
+    if (is_narrower(closer, x)) {
+      x = intersection(x, closer);
+    } else {
+      precision += precision / 2;
+    }
   }
   roots_.emplace(bits, x);
   return x;

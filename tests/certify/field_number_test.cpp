@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <string>
 #include <vector>
 
 /// The numbers of surfaces over a number field.
@@ -51,6 +52,15 @@ TEST(NumberFields, KnowTheirRootToAnyPrecision) {
       EXPECT_EQ(certain_sign(value), 0);
     }
   }
+}
+
+TEST(NumberFields, KnowALargeRootOfLargeCoefficients) {
+  const mpz_class scale("1" + std::string(300, '0'));
+  const NumberField field({-2 * scale * scale, 0, 1}, {scale, 2 * scale}, Budget(100'000'000));
+  const Precision scope(53);
+  const Ball alpha = real_ball(field_number(field, Coefficients{0, 1})) / Ball::rounded(scale);
+  EXPECT_NEAR(lower_end(alpha), std::sqrt(2), 1e-15);
+  EXPECT_LT(mag_cmp_2exp_si(arb_radref(alpha.get()), -50), 0);
 }
 
 RC_GTEST_PROP(NumberFields, HaveSumsProductsAndSigns, ()) {
