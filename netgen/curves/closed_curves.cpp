@@ -220,7 +220,7 @@ class Rows {
   }
 
  private:
-  /// From a tile through which the geodesic passes, unless the path is too long for 256 bits.
+  /// From a tile through which the geodesic passes, unless the path is too long for 512 bits.
   [[nodiscard]] ClosedPath near_geodesic(const ClosedPath& path) const {
     try {
       return system_.onto_geodesic(path).path;

@@ -42,7 +42,7 @@ struct NamedCurve {
 };
 
 /// The mapping class group of a surface. What mapping classes do is decided by words alone, exactly, but for the search
-/// for the places where a curve passes through tiles, with 256 bits (`dehn_twist_words`, pants.h).
+/// for the places where a curve passes through tiles, with 512 bits (`dehn_twist_words`, pants.h).
 class MappingClassGroup {
  public:
   explicit MappingClassGroup(const Surface& surface);

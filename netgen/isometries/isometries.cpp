@@ -51,7 +51,8 @@ bool search(const Surface& first, const Surface& second, const std::vector<certi
             const IsometryOptions& options, IsometricAnswer& answer) {
   if (spectra[1].geodesics.empty()) return false;
   const Source source(first, spectra[0]);
-  const LiftedTiles tiles(second, spectra[1].geodesics.front().length.lower);
+  const ElementSearch elements(second, spectra[1].geodesics.front().length.lower);
+  const LiftedTiles& tiles = elements.tiles();
   // One that preserves the orientation is the better answer.
   std::optional<SurfaceIsometry> reversing;
   bool reversing_is_exact = false;
@@ -63,7 +64,7 @@ bool search(const Surface& first, const Surface& second, const std::vector<certi
     return true;
   };
   for (const Line& line : lines(tiles, spectra[1])) {
-    for (const Match& match : matches(tiles, line, source.pair, certify::thread_count(options.threads))) {
+    for (const Match& match : matches(elements, line, source.pair, certify::thread_count(options.threads))) {
       const Motion<Number> f = source.motion_of(match, tiles);
       const bool preserves = preserves_orientation(f);
       if (!preserves && reversing) continue;
@@ -85,7 +86,7 @@ bool search(const Surface& first, const Surface& second, const std::vector<certi
 std::optional<double> difference_of(const Source& source, const LiftedTiles& tiles, const std::vector<Word>& images) {
   std::vector<Isometry<Number>> there;
   for (const Word& word : images) there.push_back(normalized(tiles.value(word)));
-  const FundamentalPolygon polygon = fundamental_polygon(source.tiles.surface());
+  const FundamentalPolygon polygon = fundamental_polygon(source.tiles().surface());
   std::vector<Isometry<Number>> by_side(polygon.sides.size());
   std::size_t next = 0;
   for (std::size_t k = 0; k < by_side.size(); ++k) {
@@ -124,11 +125,13 @@ std::optional<NearIsometry> near_isometry(const Surface& first, const Surface& s
   constexpr int kMostMatches = 200;
   if (spectra[0].geodesics.empty() || spectra[1].geodesics.empty()) return std::nullopt;
   const Source source(first, spectra[0]);
-  const LiftedTiles tiles(second, spectra[1].geodesics.front().length.lower);
+  const ElementSearch elements(second, spectra[1].geodesics.front().length.lower);
+  const LiftedTiles& tiles = elements.tiles();
   std::optional<NearIsometry> best;
   int tried = 0;
   for (const Line& line : lines(tiles, spectra[1])) {
-    for (const Match& match : matches(tiles, line, source.pair, certify::thread_count(options.threads), kTolerance)) {
+    for (const Match& match :
+         matches(elements, line, source.pair, certify::thread_count(options.threads), kTolerance)) {
       if (++tried > kMostMatches) return best;
       const Motion<Number> f = source.motion_of(match, tiles);
       std::optional<std::vector<Word>> images = source.images(tiles, f, kMostRest);
@@ -157,7 +160,7 @@ struct IsometryGroup::Lifts {
   Source source;
   std::vector<Motion<Number>> generators;
 
-  [[nodiscard]] const LiftedTiles& tiles() const { return source.tiles; }
+  [[nodiscard]] const LiftedTiles& tiles() const { return source.tiles(); }
 
   /// The same isometry of the surface, but one that moves the middle of tile 0 not far.
   [[nodiscard]] Motion<Number> near(const Motion<Number>& f) const {
@@ -352,7 +355,7 @@ IsometryGroup isometries(const Surface& surface, const IsometryOptions& options)
       unproved::spectrum(surface, list_length(surface, options), geodesics_options(options));
   const auto lifts = std::make_shared<IsometryGroup::Lifts>(IsometryGroup::Lifts{Source(surface, geodesics), {}});
   const Source& source = lifts->source;
-  const LiftedTiles& tiles = source.tiles;
+  const LiftedTiles& tiles = source.tiles();
   std::vector<Line> as_long;
   for (Line& line : lines(tiles, geodesics)) {
     if (agree(line.length, source.pair.x.length)) as_long.push_back(std::move(line));
@@ -381,7 +384,7 @@ IsometryGroup isometries(const Surface& surface, const IsometryOptions& options)
       options.progress("comparing geodesics", static_cast<double>(i) / static_cast<double>(as_long.size()));
     }
     if (orbits.find(i) < i) continue;
-    for (const Match& match : matches(tiles, as_long[i], source.pair, certify::thread_count(options.threads))) {
+    for (const Match& match : matches(source.search, as_long[i], source.pair, certify::thread_count(options.threads))) {
       const Motion<Number> f = source.motion_of(match, tiles);
       const auto images = source.images(tiles, f);
       if (!images) continue;
@@ -462,7 +465,7 @@ IsometricAnswer isometric(const Surface& first, const Surface& second, const Iso
     length = Length(static_cast<double>(length.value()) + kStep);
   }
   answer.reason =
-      "with 256 bits no two elements of the second group have the traces of two elements of the first one, and of "
+      "with 512 bits no two elements of the second group have the traces of two elements of the first one, and of "
       "their product, and extend to the group; but there are as many closed geodesics of the same lengths up to " +
       length.text() + ", which perhaps cross in the same way";
   return answer;

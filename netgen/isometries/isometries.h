@@ -17,7 +17,7 @@
 
 /// The isometries of a surface, and from one surface to another. docs/isometries.md says how and why.
 ///
-/// That they are isometries is decided exactly. That there is no other one is computed with numbers of 256 bits;
+/// That they are isometries is decided exactly. That there is no other one is computed with numbers of 512 bits;
 /// `certified_isometries` proves it. `isometric` proves that two surfaces are isometric, or that they are not, by their
 /// closed geodesics. `identify` finds which known surface one is.
 namespace epsnet {
@@ -108,7 +108,7 @@ struct IsometryOptions {
                                                                           const IsometryOptions& options = {});
 
 /// What comes near to an isometry between two surfaces, as where the numbers of one of them are rounded: an isomorphism
-/// of their groups that hardly changes traces. Computed with 256 bits, not proved.
+/// of their groups that hardly changes traces. Computed with 512 bits, not proved.
 struct NearIsometry {
   SurfaceIsometry marking;  ///< The isomorphism.
   /// By how much traces differ at most: those of generators and of products of two, from those of their images.
@@ -121,7 +121,7 @@ struct IsometricAnswer {
   enum class Kind {
     yes,       ///< Decided exactly: here, or by `proof`.
     no,        ///< Proved, by `proof`.
-    undecided  ///< No isometry is found with 256 bits and no proof that there is none; or `isometry` is one to 100
+    undecided  ///< No isometry is found with 512 bits and no proof that there is none; or `isometry` is one to 100
                ///< bits, but the numbers of the surfaces cannot be compared exactly.
   };
   Kind kind = Kind::undecided;

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "kernel/plane.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -76,16 +78,15 @@ template <class T>
   return result.t.t > 0 ? result : Motion<T>{minus * result.x, minus * result.y, minus * result.t};
 }
 
-/// The tiles of a surface as they tile the plane, evaluated once: walks to a point, and the elements of the group that
-/// move a point not far. Numbers have 256 bits where nothing else is said. Read-only, so threads may
-/// share it.
+/// The tiles of a surface as they tile the plane, evaluated once: words as isometries, and walks to a point. Numbers
+/// have 512 bits where nothing else is said. Read-only, so threads may share it.
 class LiftedTiles {
  public:
-  using Number = Mp256;
+  using Number = Multiprecision<512>;
   using Vector = LorentzVector<Number>;
 
-  /// No closed geodesic is shorter than `shortest`, or none goes through the middle of a tile that is. O(sides).
-  LiftedTiles(const Surface& surface, double shortest);
+  /// O(sides).
+  explicit LiftedTiles(const Surface& surface);
 
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// The value of a word (group.h), of determinant 1.
@@ -106,6 +107,33 @@ class LiftedTiles {
   /// Throws LimitError if it is too long.
   [[nodiscard]] Word walk(TileId tile, Vector point) const;
 
+ private:
+  struct Side {
+    Vector line;  ///< Its unit normal, positive inside of the tile.
+    LorentzVector<double> rounded_line;
+    Isometry<Number> crossing;
+  };
+
+  Surface surface_;
+  ById<SideId, Side> sides_;
+  ById<TileId, Vector> centres_;
+};
+
+/// Finds the elements of the group of a surface that move a point not far. Read-only, so threads may share it.
+///
+/// They are found in the plane tiled by cells: by the tiles, or by a Dirichlet domain if tiles are much longer than
+/// that. After some Dehn twists millions of tiles meet a small disk.
+class ElementSearch {
+ public:
+  using Number = LiftedTiles::Number;
+  using Vector = LiftedTiles::Vector;
+
+  /// No closed geodesic is shorter than `shortest`, or none goes through the middle of a cell that is. O(sides), and a
+  /// Dirichlet domain if there are long tiles.
+  ElementSearch(const Surface& surface, double shortest);
+
+  [[nodiscard]] const LiftedTiles& tiles() const { return tiles_; }
+
   /// An element of the group that moves a point by a distance of at most R.
   struct Element {
     Isometry<double> isometry;  ///< In coordinates that a translation has moved to the point. Determinant 1.
@@ -119,38 +147,50 @@ class LiftedTiles {
     [[nodiscard]] Word word(const Element& element) const;
 
    private:
-    friend class LiftedTiles;
+    friend class ElementSearch;
     struct Lift {
-      Isometry<DoubleDouble> frame;  ///< From the coordinates of the tile.
-      TileId tile;
+      Isometry<DoubleDouble> frame;  ///< From the coordinates of the cell.
+      std::uint32_t cell;
       std::uint32_t before;  ///< The lift from which it was reached,
-      SideId side;           ///< and the side crossed.
+      std::uint32_t side;    ///< and the side crossed.
     };
-    const Surface* surface_ = nullptr;
-    Word start_;  ///< To the tile that contains the point.
+    const ElementSearch* search_ = nullptr;
+    Word start_;  ///< From the tile that the point was given in to the cell that contains it.
     std::vector<Lift> lifts_;
     std::vector<Element> list_;
   };
   /// Returns all elements that move a point, given in the coordinates of a tile, by at most `radius`, and perhaps some
-  /// that move it a little more. Frames have some 100
-  /// bits. Throws LimitError if more than `most` lifts of
-  /// tiles have to be visited. About 2π cosh(radius)/(area of a tile) steps.
+  /// that move it a little more. Refers to this object. Frames have some 100 bits. Throws LimitError if more than
+  /// `most` lifts of cells have to be visited. About 2π cosh(radius)/(area of a cell) steps.
   [[nodiscard]] Elements elements(TileId tile, const Vector& point, double radius, std::uint64_t most) const;
 
  private:
-  struct Side {
-    Vector line;  ///< Its unit normal, positive inside of the tile.
-    LorentzVector<double> rounded_line;
-    Isometry<Number> crossing;
-    Isometry<DoubleDouble> back;  ///< From the coordinates of the tile across.
+  struct Cell {
+    LorentzVector<double> centre;
+    std::uint32_t first_side;
+    std::uint32_t end_side;
+  };
+  struct CellSide {
+    LorentzVector<double> line;  ///< Its unit normal, positive inside.
     LorentzVector<double> start;
-    double cosh_length;
+    double cosh_length = 1;
+    std::uint32_t across = 0;     ///< The cell there.
+    Isometry<DoubleDouble> back;  ///< From the coordinates of that cell.
+    Word way;                     ///< From tile to tile, to that cell.
   };
 
-  Surface surface_;
+  void add_cell(const Vector& centre, const std::vector<Vector>& corners);
+  void add_tiles();
+  /// The Dirichlet domain of the first vertex, if it is much smaller than some tile.
+  void find_domain();
+  /// A path to the domain that contains a point, which becomes that in the domain's coordinates.
+  [[nodiscard]] Word way_to_domain(TileId tile, Complex<Mp1024>& point) const;
+
+  LiftedTiles tiles_;
   double shortest_;
-  ById<SideId, Side> sides_;
-  ById<TileId, Vector> centres_;
+  std::optional<DomainFrame> domain_;  ///< If cells are not tiles.
+  std::vector<Cell> cells_;
+  std::vector<CellSide> cell_sides_;
 };
 
 }  // namespace epsnet

@@ -12,7 +12,7 @@ namespace epsnet {
 
 /// Closed geodesics by the tiles that they cross, to find the one on which the image of another one lies.
 ///
-/// Numbers have 256 bits. What is found is right to 100 of them; a line may not be found, if a point of it is a corner
+/// Numbers have 512 bits. What is found is right to 100 of them; a line may not be found, if a point of it is a corner
 /// of tiles.
 class LinePlaces {
  public:

@@ -73,7 +73,8 @@ bool keeps_line(const Isometry<double>& element, const LorentzVector<double>& no
 
 /// Returns a pair of a closed geodesic and the element that moves one of its points least, by at most `radius`, among
 /// those that do not keep the axis.
-std::optional<Pair> pair_of(const LiftedTiles& tiles, const Line& x, double radius) {
+std::optional<Pair> pair_of(const ElementSearch& search, const Line& x, double radius) {
+  const LiftedTiles& tiles = search.tiles();
   std::optional<Pair> best;
   const std::uint32_t count = point_count(x.length);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -81,7 +82,7 @@ std::optional<Pair> pair_of(const LiftedTiles& tiles, const Line& x, double radi
     const Isometry<Number> base = normalized(Isometry<Number>::translation(in_disk(point)));
     const LorentzVector<double> n = axis_normal(convert<double>(inverse(base) * x.element * base));
     const LorentzVector<double> normal = (1 / std::sqrt(lorentz_product(n, n))) * n;
-    const auto near = tiles.elements(x.tile, point, radius, kMostTiles);
+    const auto near = search.elements(x.tile, point, radius, kMostTiles);
     for (const auto& element : near.list()) {
       const double displacement = 2 * std::asinh(std::sqrt(norm(element.isometry.b)));
       if (displacement < 1e-6 || (best && displacement >= best->displacement - 1e-9)) continue;
@@ -95,7 +96,7 @@ std::optional<Pair> pair_of(const LiftedTiles& tiles, const Line& x, double radi
 }
 
 /// Returns the pair from which isometries are told with the least work.
-Pair cheapest_pair(const LiftedTiles& tiles, const std::vector<Line>& lines) {
+Pair cheapest_pair(const ElementSearch& search, const std::vector<Line>& lines) {
   constexpr std::size_t kMostTried = 12;
   constexpr double kStep = 0.5;
   const Number kShort(0.25);
@@ -122,7 +123,7 @@ Pair cheapest_pair(const LiftedTiles& tiles, const std::vector<Line>& lines) {
   for (double radius = 1; std::exp(radius) < least; radius += kStep) {
     for (Tried& one : tried) {
       if (one.line == nullptr) continue;
-      std::optional<Pair> pair = pair_of(tiles, *one.line, radius);
+      std::optional<Pair> pair = pair_of(search, *one.line, radius);
       if (!pair) continue;
       one.line = nullptr;
       if (const double cost = cost_of(*pair, one.count); cost < least) {
@@ -139,15 +140,16 @@ Pair cheapest_pair(const LiftedTiles& tiles, const std::vector<Line>& lines) {
 namespace {
 
 /// The matches whose y' moves one of the `count` points of a line.
-std::vector<Match> matches_near(const LiftedTiles& tiles, const Line& line, const Pair& pair, std::uint32_t i,
+std::vector<Match> matches_near(const ElementSearch& search, const Line& line, const Pair& pair, std::uint32_t i,
                                 std::uint32_t count, double tolerance) {
+  const LiftedTiles& tiles = search.tiles();
   std::vector<Match> result;
   const Number half_trace = half_trace_of_product(pair.x.element, pair.y);
   const double rough = 1e-5 + 2 * tolerance;
   const auto is_near = [&](double x, double y) { return std::abs(x - y) <= rough * (1 + std::abs(y)); };
   const double radius = pair.displacement + static_cast<double>(line.length) / count + 1e-6 + 10 * tolerance;
   const Vector point = line.point(tiles.centre(line.tile), line.length * i / count);
-  const auto near = tiles.elements(line.tile, point, radius, kMostTiles);
+  const auto near = search.elements(line.tile, point, radius, kMostTiles);
   const Isometry<Number> base = Isometry<Number>::translation(in_disk(point));
   const Isometry<double> x = convert<double>(normalized(inverse(base) * line.element * base));
   for (const auto& element : near.list()) {
@@ -173,13 +175,13 @@ std::vector<Match> matches_near(const LiftedTiles& tiles, const Line& line, cons
 
 }  // namespace
 
-std::vector<Match> matches(const LiftedTiles& tiles, const Line& line, const Pair& pair, unsigned threads,
+std::vector<Match> matches(const ElementSearch& search, const Line& line, const Pair& pair, unsigned threads,
                            double tolerance) {
   if (!agree(line.element.a.x, pair.x.element.a.x, tolerance)) return {};
   const std::uint32_t count = point_count(line.length);
   std::vector<std::vector<Match>> found(count);
   certify::for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
-    found[i] = matches_near(tiles, line, pair, static_cast<std::uint32_t>(i), count, tolerance);
+    found[i] = matches_near(search, line, pair, static_cast<std::uint32_t>(i), count, tolerance);
   });
   std::vector<Match> result;
   for (std::vector<Match>& some : found) {
@@ -220,15 +222,15 @@ std::optional<Word> image_word(const LiftedTiles& to, const Motion<Number>& f, c
 }
 
 Source::Source(const Surface& surface, const certify::GeodesicsDocument& geodesics)
-    : tiles(surface, geodesics.geodesics.front().length.lower),
-      generators(tiles),
-      pair(cheapest_pair(tiles, lines(tiles, geodesics))) {}
+    : search(surface, geodesics.geodesics.front().length.lower),
+      generators(tiles()),
+      pair(cheapest_pair(search, lines(tiles(), geodesics))) {}
 
 Motion<Number> Source::motion_of(const Match& match, const LiftedTiles& to) const {
   const Motion<Number> f = motion_of_pairs(pair.x.element, pair.y, match.x, match.y);
   // By the paths of from_tile_0: between two tiles there may be several shortest ones.
   return motion(to.value(reversed(to.surface(), path_between_tiles(to.surface(), TileId(0), match.tile)))) * f *
-         motion(tiles.value(path_between_tiles(tiles.surface(), TileId(0), pair.x.tile)));
+         motion(tiles().value(path_between_tiles(tiles().surface(), TileId(0), pair.x.tile)));
 }
 
 std::optional<std::vector<Word>> Source::images(const LiftedTiles& to, const Motion<Number>& f,
@@ -243,7 +245,7 @@ std::optional<std::vector<Word>> Source::images(const LiftedTiles& to, const Mot
 }
 
 std::optional<bool> Source::is_exact(const Match& match, const LiftedTiles& to, const std::vector<Word>& images) const {
-  const Surface& from = tiles.surface();
+  const Surface& from = tiles().surface();
   std::vector<ElementPair> pairs;
   pairs.push_back({from_tile_0(from, pair.x.tile, pair.x.word), from_tile_0(to.surface(), match.tile, match.x_word)});
   pairs.push_back({from_tile_0(from, pair.x.tile, pair.y_word), from_tile_0(to.surface(), match.tile, match.y_word)});

@@ -12,7 +12,7 @@
 /// tiles near closed geodesics (docs/isometries.md, "How all are found").
 namespace epsnet {
 
-/// By how much numbers of 256 bits may differ that are equal but for the errors of some operations, relative to their
+/// By how much numbers of 512 bits may differ that are equal but for the errors of some operations, relative to their
 /// size, if that is more than 1.
 inline constexpr double kRounding = 0x1p-100;
 /// Whether two numbers differ by no more than that, or another tolerance.
@@ -56,8 +56,8 @@ struct Match {
 /// Up to powers of x', every such pair is among them, perhaps more than once.
 ///
 /// The result is the same for any number of threads. Throws LimitError if too many tiles are near the line.
-[[nodiscard]] std::vector<Match> matches(const LiftedTiles& tiles, const Line& line, const Pair& pair, unsigned threads,
-                                         double tolerance = kRounding);
+[[nodiscard]] std::vector<Match> matches(const ElementSearch& search, const Line& line, const Pair& pair,
+                                         unsigned threads, double tolerance = kRounding);
 
 /// The generators of a surface's group.
 struct Generators {
@@ -75,12 +75,14 @@ struct Generators {
 
 /// What is common to all isometries from one surface: where they are told from.
 struct Source {
-  LiftedTiles tiles;
+  ElementSearch search;
   Generators generators;
   Pair pair;
 
   /// Requires: a spectrum of the surface with at least one closed geodesic. Throws LimitError.
   Source(const Surface& surface, const certify::GeodesicsDocument& geodesics);
+
+  [[nodiscard]] const LiftedTiles& tiles() const { return search.tiles(); }
 
   /// The isometry of the plane that a match tells, from the coordinates of tile 0 to those of tile 0.
   [[nodiscard]] Motion<LiftedTiles::Number> motion_of(const Match& match, const LiftedTiles& to) const;

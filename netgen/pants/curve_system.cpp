@@ -44,12 +44,12 @@ Number place_along(const Vector& point, const Vector& forward, const Vector& v) 
 }  // namespace
 
 CurveSystem::CurveSystem(const Surface& surface)
-    : surface_(surface), tiles_(surface, 1), samples_in_(surface.tiles().size()) {
+    : surface_(surface), tiles_(surface), samples_in_(surface.tiles().size()) {
   for (const Tile& tile : surface_.tiles()) {
     std::vector<Vector>& corners = corners_.emplace_back();
     for (const Complex<Rational>& z : tile) corners.push_back(on_hyperboloid(convert<Number>(z)));
   }
-  for (const SideId s : surface_.side_ids()) back_.push_back(inverse(surface_.crossing_as<Number>(s)));
+  for (const SideId s : surface_.side_ids()) back_.push_back(inverse(tiles_.crossing(s)));
 }
 
 /// Lifts of tiles on and to the left of an axis, up to its translation, in the order of their distances.
@@ -244,7 +244,7 @@ bool CurveSystem::is_trivial(const ClosedPath& path) const {
 CurveSystem::Axis CurveSystem::axis_of(const ClosedPath& path) const {
   Axis axis{path, with_positive_trace(element(path.word)), 0, {}, {}, {}};
   const Number square = isometry_discriminant(axis.element);
-  if (!(square > 0)) throw LimitError("a path is not a translation, to 256 bits");
+  if (!(square > 0)) throw LimitError("a path is not a translation, to 512 bits");
   axis.length = 2 * asinh(Number(sqrt(square)));
   axis.normal = Number(1 / sqrt(square)) * axis_normal(axis.element);
   const Vector& centre = tiles_.centre(path.tile);

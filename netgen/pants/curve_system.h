@@ -20,7 +20,7 @@ struct ClosedPath {
   Word word;
 };
 
-/// Disjoint simple closed geodesics of a surface, and what is near them, computed with 256 bits.
+/// Disjoint simple closed geodesics of a surface, and what is near them, computed with 512 bits.
 ///
 /// Nothing here is proved. Whoever uses the results asks certify::check.
 class CurveSystem {

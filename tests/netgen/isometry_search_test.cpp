@@ -77,20 +77,20 @@ TEST(LinePlaces, AreTakenToEachOtherByTheGroup) {
     const certify::GeodesicsDocument spectrum = unproved::systole(surface);
     const Source source(surface, unproved::spectrum(surface, Length(spectrum.geodesics.front().length.upper * 1.0001)));
     const std::vector<Line> all =
-        lines(source.tiles, unproved::spectrum(surface, Length(spectrum.geodesics.front().length.upper * 1.0001)));
-    const LinePlaces places(source.tiles, all);
+        lines(source.tiles(), unproved::spectrum(surface, Length(spectrum.geodesics.front().length.upper * 1.0001)));
+    const LinePlaces places(source.tiles(), all);
     std::vector<std::uint32_t> identity(all.size());
     std::iota(identity.begin(), identity.end(), 0U);
     for (const std::uint32_t i : identity) EXPECT_EQ(places.image(Motion<LiftedTiles::Number>(), i), i) << name;
     // An element of the group of the surface takes each line to itself, too.
-    const auto element = motion(source.tiles.value(generator_words(surface).front()));
+    const auto element = motion(source.tiles().value(generator_words(surface).front()));
     for (const std::uint32_t i : identity) EXPECT_EQ(places.image(element, i), i) << name;
     for (const MapAutomorphism& f : map_automorphisms(surface)) {
       const Word x = image_of(f, source.pair.x.word);
       const Word y = image_of(f, source.pair.y_word);
-      const Match match{image_of(surface, f, source.pair.x.tile), normalized(source.tiles.value(x)),
-                        normalized(source.tiles.value(y)), x, y};
-      const Motion<LiftedTiles::Number> moves = source.motion_of(match, source.tiles);
+      const Match match{image_of(surface, f, source.pair.x.tile), normalized(source.tiles().value(x)),
+                        normalized(source.tiles().value(y)), x, y};
+      const Motion<LiftedTiles::Number> moves = source.motion_of(match, source.tiles());
       std::set<std::uint32_t> images;
       for (const std::uint32_t i : identity) {
         const auto image = places.image(moves, i);

@@ -213,6 +213,15 @@ TEST(MappingClassGroup, AMarkingTakesWordsToTheirImages) {
   }
 }
 
+TEST(MappingClassGroup, ASurfaceWithAMarkingIsIsometricAlsoWhenItsTilesAreLong) {
+  const Surface surface = surface_of(2, 1);
+  const MappingClassGroup group(surface);
+  const Surface marked = with_marking(surface, group.parse("a1 B1 c1"));
+  // Sides are up to 55 long, the Dirichlet domain's radius is 3.
+  const IsometricAnswer answer = isometric(surface, marked);
+  EXPECT_EQ(answer.kind, IsometricAnswer::Kind::yes) << answer.reason;
+}
+
 TEST(MappingClassGroup, InAMarkingATwistAlongACuffAddsItsLength) {
   // Tiles that are triangles keep their gluing.
   const Surface base = random_octagon(5);

@@ -40,7 +40,7 @@ CrossingCount count(const std::vector<WalkCrossing>& crossings) {
 class Chords {
  public:
   Chords(const Surface& surface, const std::vector<Word>& words)
-      : surface_(surface), tiles_(surface, 1), system_(surface) {
+      : surface_(surface), tiles_(surface), system_(surface) {
     for (const Word& word : words) {
       const TileId tile = surface.tile_of_side(word.front());
       chords_.push_back(system_.chords(system_.add({tile, word})));
@@ -200,7 +200,7 @@ RC_GTEST_PROP(RadialGraph, AWordIsTrivialIfItsIsometryIs, ()) {
   const std::size_t number = *any_surface();
   const Surface& surface = surfaces()[number];
   const Word word = any_loop(surface, TileId(0));
-  const LiftedTiles tiles(surface, 1);
+  const LiftedTiles tiles(surface);
   RC_ASSERT(graph_of(number).walk_of(word).empty() == (isometry_discriminant(tiles.value(word)) < 1e-30));
 }
 
@@ -247,7 +247,7 @@ RC_GTEST_PROP(RadialGraph, LiftsThatCrossHaveAxesThatCross, ()) {
   const ClosedWalk b = graph.walk_of(any_loop(surface, TileId(0)));
   RC_PRE(!a.empty() && !b.empty() && a != b && graph.reversed(a) != b);
   RC_PRE(RadialGraph::power_of(a) == 1 && RadialGraph::power_of(b) == 1);
-  const LiftedTiles tiles(surface, 1);
+  const LiftedTiles tiles(surface);
   for (const WalkCrossing& crossing : graph.crossings(a, b)) {
     const auto [first, second, way] = graph.crossing_paths(a, b, crossing);
     RC_ASSERT(is_path(surface, TileId(0), TileId(0), way));
