@@ -168,6 +168,16 @@ void name_rounded_twists(const FenchelNielsen& coordinates) {
             << " 0 or half of the length only up to 2^-50 lengths: reflections may be lost\n";
 }
 
+/// Says which symmetry of the coordinates the order of the edges may have taken away.
+void name_lost_symmetry(const FenchelNielsen& coordinates) {
+  const std::optional<std::vector<std::uint32_t>> images = symmetry_lost_by_order(coordinates);
+  if (!images) return;
+  std::cerr << "note: the pants graph, lengths and twists stay the same if edges 0, 1, ... become";
+  for (std::size_t e = 0; e < images->size(); ++e) std::cerr << (e == 0 ? " " : ", ") << (*images)[e];
+  std::cerr << ", but the order of cuffs around pairs of pants does not: the surface may lack this symmetry, and with "
+               "another order of edges be another one (docs/fenchel-nielsen.md)\n";
+}
+
 /// Numbers that were divided at all commas: those in parentheses, as in root(f,r), belong to a number.
 std::vector<std::string> numbers_of(const std::vector<std::string>& pieces) {
   std::vector<std::string> result;
@@ -208,6 +218,7 @@ void make_fenchel_nielsen(const FenchelNielsenCommand& command) {
     const FenchelNielsen coordinates = resolve(request);
     Surface made = fenchel_nielsen_surface(coordinates);
     name_rounded_twists(coordinates);
+    name_lost_symmetry(coordinates);
     return made;
   });
   write_surface_file(surface, command);

@@ -216,6 +216,131 @@ std::vector<std::size_t> rounded_symmetric_twists(const FenchelNielsen& coordina
   return rounded_twists(coordinates, made);
 }
 
+namespace {
+
+/// Looks for an automorphism of a pants graph that keeps lengths and twists, and that keeps the order of cuffs at one
+/// end of an edge and reverses it at the other end.
+class LostSymmetrySearch {
+ public:
+  explicit LostSymmetrySearch(const FenchelNielsen& coordinates)
+      : graph_(coordinates.graph), image_(graph_.pants_count()), is_taken_(graph_.pants_count()) {
+    for (std::size_t e = 0; e < graph_.edges().size(); ++e) {
+      turns_.push_back(share_of_twist(coordinates, e));
+      lengths_.push_back(coordinates.lengths[e]);
+    }
+    // Each pair of pants after one that it is glued to.
+    std::vector<bool> seen(graph_.pants_count());
+    seen[0] = true;
+    order_.push_back(0);
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      for (std::uint32_t cuff = 0; cuff < 3; ++cuff) {
+        const std::uint32_t next = across({order_[i], cuff}).pants;
+        if (!seen[next]) order_.push_back(next);
+        seen[next] = true;
+      }
+    }
+  }
+
+  std::optional<std::vector<std::uint32_t>> find() {
+    if (!place(0)) return std::nullopt;
+    std::vector<std::uint32_t> images;
+    for (const PantsGraph::Edge& edge : graph_.edges()) images.push_back(edge_at(image(edge[0])));
+    return images;
+  }
+
+ private:
+  using End = PantsGraph::End;
+  struct Image {
+    std::uint32_t pants;
+    std::array<std::uint32_t, 3> cuffs;
+    bool reverses;
+  };
+
+  [[nodiscard]] std::uint32_t edge_at(const End& end) const { return graph_.edge_at(end.pants, end.cuff); }
+  [[nodiscard]] End image(const End& end) const {
+    return {image_[end.pants]->pants, image_[end.pants]->cuffs[end.cuff]};
+  }
+  [[nodiscard]] End across(const End& end) const {
+    const PantsGraph::Edge& edge = graph_.edges()[edge_at(end)];
+    return edge[0] == end ? edge[1] : edge[0];
+  }
+  [[nodiscard]] bool has_loop(std::uint32_t pants) const {
+    const auto edge = [&](std::uint32_t cuff) { return graph_.edge_at(pants, cuff); };
+    return edge(0) == edge(1) || edge(1) == edge(2) || edge(2) == edge(0);
+  }
+
+  /// Whether edges go to edges with the same numbers, as far as both of their ends have images.
+  [[nodiscard]] bool fits(std::uint32_t pants) const {
+    for (std::uint32_t cuff = 0; cuff < 3; ++cuff) {
+      const std::uint32_t edge = edge_at({pants, cuff});
+      const std::uint32_t other = edge_at(image({pants, cuff}));
+      if (lengths_[edge] != lengths_[other] || turns_[edge] != turns_[other]) return false;
+      const End there = across({pants, cuff});
+      if (image_[there.pants] && across(image({pants, cuff})) != image(there)) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool loses_order() const {
+    return std::any_of(graph_.edges().begin(), graph_.edges().end(), [&](const PantsGraph::Edge& edge) {
+      const auto& [one, other] = edge;
+      return !has_loop(one.pants) && !has_loop(other.pants) &&
+             image_[one.pants]->reverses != image_[other.pants]->reverses;
+    });
+  }
+
+  /// The pairs of pants that one may go to: any, if it is the first, else the one across from an image.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> range_for(std::uint32_t pants) const {
+    for (std::uint32_t cuff = 0; cuff < 3; ++cuff) {
+      const End there = across({pants, cuff});
+      if (!image_[there.pants]) continue;
+      const std::uint32_t to = across(image(there)).pants;
+      return {to, to + 1};
+    }
+    return {0, graph_.pants_count()};
+  }
+
+  /// Tries all images of the pairs of pants from number i of `order_` on.
+  bool place(std::size_t i) {
+    constexpr std::uint64_t kMostSteps = 100'000;
+    if (i == order_.size()) return loses_order();
+    std::optional<Image>& here = image_[order_[i]];
+    const auto [begin, end] = range_for(order_[i]);
+    for (std::uint32_t to = begin; to < end; ++to) {
+      if (is_taken_[to]) continue;
+      is_taken_[to] = true;
+      for (const bool reverses : {false, true}) {
+        for (std::uint32_t first = 0; first < 3; ++first) {
+          if (++steps_ > kMostSteps) return false;
+          const std::uint32_t step = reverses ? 2 : 1;
+          here = Image{to, {first, (first + step) % 3, (first + 2 * step) % 3}, reverses};
+          if (fits(order_[i]) && place(i + 1)) return true;
+        }
+      }
+      here.reset();
+      is_taken_[to] = false;
+    }
+    return false;
+  }
+
+  const PantsGraph& graph_;
+  std::vector<Rational> turns_;
+  std::vector<Rational> lengths_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::optional<Image>> image_;
+  std::vector<bool> is_taken_;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<std::uint32_t>> symmetry_lost_by_order(const FenchelNielsen& coordinates) {
+  check(coordinates);
+  constexpr std::uint32_t kMostPants = 1000;
+  if (coordinates.graph.pants_count() > kMostPants) return std::nullopt;
+  return LostSymmetrySearch(coordinates).find();
+}
+
 Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
   check(coordinates);
   const PantsGraph& graph = coordinates.graph;

@@ -138,6 +138,13 @@ class CoordinateError : public SurfaceError {
 /// fenchel_nielsen_surface does.
 [[nodiscard]] std::vector<std::size_t> rounded_symmetric_twists(const FenchelNielsen& coordinates);
 
+/// An automorphism of the graph that keeps lengths and twists, but not everywhere the order of cuffs around pairs of
+/// pants, which decides where marks are; by edge, the edge that it takes it to. So the surface need not have this
+/// symmetry, though one with another order of edges may. Nothing if there is none, or none is found in 100,000 steps,
+/// or for more than 1000 pairs of pants. One with a loop looks the same in both orders. Throws as
+/// fenchel_nielsen_surface.
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> symmetry_lost_by_order(const FenchelNielsen& coordinates);
+
 /// Returns random coordinates on a graph: lengths uniform in [1, 4], twists uniform in [0, length). A seed gives the
 /// same coordinates on every machine.
 [[nodiscard]] FenchelNielsen random_coordinates(PantsGraph graph, std::uint64_t seed);

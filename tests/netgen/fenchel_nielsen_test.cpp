@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "netgen/base/gmp.h"
+#include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
+#include "netgen/surfaces/surfaces.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::fenchel_nielsen_test {
@@ -242,6 +244,53 @@ TEST(FenchelNielsen, TwistsThatAreNotExactAreNamed) {
   EXPECT_EQ(rounded_symmetric_twists(coordinates), std::vector<std::size_t>{1});
   // Whatever is not symmetric is rounded anyway.
   EXPECT_TRUE(rounded_symmetric_twists(with("0-0 0-1 1-1", {2, 1, 3}, {1.5, Rational(1, 3), 0.25})).empty());
+}
+
+/// A. Strohmaier and V. Uski, An algorithm for the computation of eigenvalues, spectral zeta functions and
+/// zeta-determinants on hyperbolic surfaces, 2013: lengths 2 arcosh(3 + 2√2) and twice 2 arcosh(1 + √2), twists of ½, 0
+/// and 0 turns.
+TEST(FenchelNielsen, PublishedCoordinatesAreThoseOfBolzasSurface) {
+  const Surface surface =
+      fenchel_nielsen_surface(resolve({"theta",
+                                       std::nullopt,
+                                       std::nullopt,
+                                       {"2*arcosh(3+2*sqrt(2))", "2*arcosh(1+sqrt(2))", "2*arcosh(1+sqrt(2))"},
+                                       {"arcosh(3+2*sqrt(2))", "0", "0"}}));
+  EXPECT_EQ(isometric(surface, named_surface("bolza")).kind, IsometricAnswer::Kind::yes);
+}
+
+/// Klein's quartic: six of its systoles cut it into four pairs of pants, the vertices of a tetrahedron, with twists of
+/// ⅛ turn. The order of cuffs is that of a tetrahedron seen from outside; in another order they give another surface.
+TEST(FenchelNielsen, PublishedCoordinatesAreThoseOfKleinsQuarticIfCuffsAreInOrder) {
+  const Rational length("39359462488303282/10000000000000000");
+  const std::vector<Rational> lengths(6, length);
+  const std::vector<Rational> twists(6, length / 8);
+  const FenchelNielsen in_order = with("0-1 0-2 1-3 0-3 1-2 2-3", lengths, twists);
+  const IsometricAnswer answer = isometric(fenchel_nielsen_surface(in_order), named_surface("klein"));
+  ASSERT_TRUE(answer.near);
+  EXPECT_LT(answer.near->difference, 1e-11);
+  EXPECT_FALSE(symmetry_lost_by_order(in_order));
+
+  const FenchelNielsen other = with("0-1 0-2 0-3 1-2 1-3 2-3", lengths, twists);
+  EXPECT_LT(unproved::systole(fenchel_nielsen_surface(other)).geodesics.front().length.upper, 2.9);
+  EXPECT_TRUE(symmetry_lost_by_order(other));
+}
+
+TEST(FenchelNielsen, ASymmetryThatTheOrderOfCuffsLosesIsNamed) {
+  using Images = std::vector<std::uint32_t>;
+  // Two edges between the same pairs of pants are exchanged, which turns these around but not their neighbours.
+  const FenchelNielsen ring = with("0-1 1-2 1-2 2-3 3-0 3-0", {1, 2, 2, 1, 2, 3}, {0, 1, 1, 0, 1, 1});
+  EXPECT_EQ(symmetry_lost_by_order(ring), (Images{0, 2, 1, 3, 4, 5}));
+  // Not if the two have other lengths or twists; a twist by a turn is none.
+  EXPECT_FALSE(symmetry_lost_by_order(with("0-1 1-2 1-2 2-3 3-0 3-0", {1, 2, 4, 1, 2, 3}, {0, 1, 1, 0, 1, 1})));
+  EXPECT_FALSE(
+      symmetry_lost_by_order(with("0-1 1-2 1-2 2-3 3-0 3-0", {1, 2, 2, 1, 2, 3}, {0, 1, Rational(1, 2), 0, 1, 1})));
+  EXPECT_TRUE(symmetry_lost_by_order(with("0-1 1-2 1-2 2-3 3-0 3-0", {1, 2, 2, 1, 2, 3}, {0, 1, 3, 0, 1, 1})));
+  // All pairs of pants are turned around, or such with loops.
+  EXPECT_FALSE(symmetry_lost_by_order(with("0-1 0-1 0-1", {2, 2, 2}, {1, 1, 1})));
+  EXPECT_FALSE(symmetry_lost_by_order(with("0-0 0-1 1-1", {2, 2, 2}, {1, 1, 1})));
+  // Random coordinates have no symmetry to lose.
+  EXPECT_FALSE(symmetry_lost_by_order(random_coordinates(PantsGraph::random(20, 1), 1)));
 }
 
 TEST(FenchelNielsen, ExactLengthsThatAreNoneAreNamed) {
