@@ -229,7 +229,9 @@ TEST(Curves, WideBallsDecideNothing) {
     document.curves[0].word = with_far_relator(document.net.surface, 0, word, detour);
     const auto said = [&](Interval claimed) {
       document.curves[0].length = claimed;
-      return check(document, {.threads = 1, .max_precision = 64}).verdict;
+      const RuleReport rule = check(document, {.threads = 1, .max_precision = 64}).rules.at(7);
+      EXPECT_EQ(rule.rule, "lengths");
+      return rule.verdict;
     };
     const Verdict good = said({length.lower - 1e-3, length.upper + 1e-3});
     EXPECT_NE(good, Verdict::refuted) << detour;
