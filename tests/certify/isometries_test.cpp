@@ -152,12 +152,12 @@ TEST(Isometries, WithNumbersThatAreTooLargeAreUndecided) {
     while (result.size() < 300'000) result.insert(result.end(), word.begin(), word.end());
     return result;
   };
-  for (const std::size_t k : {0, 1, 5}) {
+  for (const std::size_t k : {0U, 1U, 5U}) {
     Document document = octagon();
     document.isometries[0].images[k] = power(document.isometries[0].images[k]);
     EXPECT_EQ(outcome(document), "UNDECIDED: isometries") << k;
   }
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0U, 1U}) {
     Document document = octagon();
     document.pair[k] = power(document.pair[k]);
     EXPECT_EQ(outcome(document), "UNDECIDED: isometries") << k;
