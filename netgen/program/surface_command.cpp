@@ -172,10 +172,17 @@ void name_rounded_twists(const FenchelNielsen& coordinates) {
 void name_lost_symmetry(const FenchelNielsen& coordinates) {
   const std::optional<std::vector<std::uint32_t>> images = symmetry_lost_by_order(coordinates);
   if (!images) return;
-  std::cerr << "note: the pants graph, lengths and twists stay the same if edges 0, 1, ... become";
-  for (std::size_t e = 0; e < images->size(); ++e) std::cerr << (e == 0 ? " " : ", ") << (*images)[e];
-  std::cerr << ", but the order of cuffs around pairs of pants does not: the surface may lack this symmetry, and with "
-               "another order of edges be another one (docs/fenchel-nielsen.md)\n";
+  constexpr std::size_t kMostNamed = 6;
+  std::cerr << "note: the pants graph, lengths and twists stay the same if edges";
+  std::size_t moved = 0;
+  for (std::size_t e = 0; e < images->size(); ++e) {
+    if ((*images)[e] == e || ++moved > kMostNamed) continue;
+    std::cerr << (moved == 1 ? " " : ", ") << e << " -> " << (*images)[e];
+  }
+  std::cerr
+      << (moved > kMostNamed ? ", ..." : "")
+      << " are exchanged, but the order of cuffs around pairs of pants does not: the surface may lack this symmetry, "
+         "and with another order of edges be another one (docs/fenchel-nielsen.md)\n";
 }
 
 /// Numbers that were divided at all commas: those in parentheses, as in root(f,r), belong to a number.

@@ -323,6 +323,50 @@ TEST(CrossingSearch, EndsIncompleteWhereItsLimitOrTheReportEndsIt) {
   EXPECT_EQ(limited.visits, 6U);
 }
 
+/// Those of which the ends are moved by the loop's element by less than a point on the border of its collar: of that
+/// the distance w from the axis has cosh w = coth(l/2), and sinh(d/2) = sinh(l/2) cosh w.
+TEST(EdgesInCollars, HaveBothEndsInTheCollarOfTheLoop) {
+  int in = 0;
+  int out = 0;
+  for (const char* name : {"three-cuffs", "three-cuffs-and-one-vertex", "two-cuffs-that-differ-by-1e-14",
+                           "one-cuff-of-1e-3-to-6.5", "systole-far-from-the-only-vertex", "octagon-5-to-6"}) {
+    const GeodesicsDocument document = load(name);
+    const LiftedNet lifted(document.net);
+    const MovedNet moved(lifted.plane());
+    ASSERT_TRUE(moved.valid()) << name;
+    const NetDocument& net = lifted.net();
+    const Reference reference(net);
+    for (std::uint32_t loop = 0; loop < 3 * net.triangles.size(); ++loop) {
+      if (start(net, loop) != start(net, next_dart(loop))) continue;
+      const Move element = with_sign(reference.element(loop));
+      const Real cosh_half = element.first.real();
+      const auto edges = edges_in_collar(moved, loop);
+      ASSERT_TRUE(edges) << name;
+      std::uint32_t dart = loop;
+      do {
+        const Move& to_triangle = reference.label(corner_label(net, dart));
+        const Move here = to_triangle * element * inverted(to_triangle);
+        Real most = 0;
+        for (const std::uint32_t end : {dart, next_dart(dart)}) {
+          const Complex z = point_of(middle(moved.corner(end)));
+          most = std::max(most, squared_half_sinh(z, image(here, z)) / (cosh_half * cosh_half));
+        }
+        const bool is_in = std::find(edges->begin(), edges->end(), dart) != edges->end();
+        if (cosh_half * cosh_half >= 2 || most > 1 + 1e-6L) {
+          EXPECT_FALSE(is_in) << name << ", loop " << loop << ", dart " << dart;
+          ++out;
+        } else if (most < 1 - 1e-6L) {
+          EXPECT_TRUE(is_in) << name << ", loop " << loop << ", dart " << dart;
+          ++in;
+        }
+        dart = next_dart(opposite(net, dart));
+      } while (dart != loop);
+    }
+  }
+  EXPECT_GT(in, 20);
+  EXPECT_GT(out, 20);
+}
+
 /// A net all of whose vertices are moved is still one of the same surface; across a dart lies what the labels say.
 TEST(MovedNet, ThirdCornersAreThoseAcross) {
   for (const std::string& name : kLists) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -78,12 +79,17 @@ bool cross(const Segment& x, const Segment& y) {
   return side(x, y.start) != side(x, y.end) && side(y, x.start) != side(y, x.end);
 }
 
-/// An enclosure, wide or narrow.
-Interval around(Real x, Real width) {
-  return {static_cast<double>(x - width * x) - 1e-15, static_cast<double>(x + width * x) + 1e-15};
+/// An enclosure, wide or narrow, of which the number has so many parts of the width below it.
+Interval around(Real x, Real width, Real part) {
+  return {static_cast<double>(x - 2 * width * part * x) - 1e-15,
+          static_cast<double>(x + 2 * width * (1 - part) * x) + 1e-15};
 }
 
-SegmentPair pair_of(const Segment& first, const Segment& other, Real width) {
+/// Each number is in the middle of its enclosure, or anywhere.
+SegmentPair pair_of(
+    const Segment& first, const Segment& other, Real width,
+    const std::function<Real()>& part = [] { return Real(0.5); }) {
+  const auto around = [&](Real x, Real w) { return edge_distance_test::around(x, w, part()); };
   // From s to e, and from r to l.
   return {.e_l = around(cosh_distance(first.end, other.end), width),
           .s_l = around(cosh_distance(first.start, other.end), width),
@@ -101,6 +107,11 @@ class Segments {
     const Point start = point();
     return {start, point()};
   }
+  /// From 0 to 1: anywhere, or one of the ends.
+  Real part(int kind) {
+    const Real share = share_(random_);
+    return kind % 2 == 0 ? share : std::round(share);
+  }
 
  private:
   std::mt19937 random_{44};
@@ -117,9 +128,15 @@ TEST(EdgeDistance, IsNeverMoreThanThatOfSegments) {
     const Segment other = segments.any(radius);
     if (cross(first, other)) continue;
     const Real cosh = cosh_distance(first, other);
-    for (const Real width : {0.0L, 1e-12L, 1e-5L, 1e-2L}) {
+    for (const Real width : {0.0L, 1e-12L, 1e-5L, 1e-3L, 1e-2L, 5e-2L, 0.2L}) {
       const double bound = cosh2_below(pair_of(first, other, width));
       EXPECT_LE(bound, static_cast<double>(cosh * cosh) * (1 + 1e-10)) << i << ", " << static_cast<double>(width);
+      // Wherever the numbers are in their enclosures.
+      for (int k = 0; k < 6; ++k) {
+        const auto part = [&] { return segments.part(k); };
+        EXPECT_LE(cosh2_below(pair_of(first, other, width, part)), static_cast<double>(cosh * cosh) * (1 + 1e-10))
+            << i << ", " << static_cast<double>(width);
+      }
       if (width == 0 && bound > static_cast<double>(cosh * cosh) * (1 - 1e-6)) ++narrow;
     }
   }

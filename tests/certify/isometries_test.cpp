@@ -124,7 +124,43 @@ TEST(Isometries, AnImageWithAnotherWordIsRefuted) {
     Document document = octagon();
     Word& image = document.isometries[0].images.at(k);
     image = reversed(document, image);
-    EXPECT_EQ(outcome(document), "REFUTED: isometries") << k;
+    // With either orientation: that of a pair whose images are wrong says nothing.
+    for (const bool preserves_orientation : {true, false}) {
+      document.isometries[0].preserves_orientation = preserves_orientation;
+      EXPECT_EQ(outcome(document), "REFUTED: isometries") << k;
+    }
+  }
+}
+
+TEST(Isometries, ThePairIsInAnyOrder) {
+  for (const Document& good : {bolza(), octagon()}) {
+    Document document = good;
+    std::swap(document.pair[0], document.pair[1]);
+    for (auto& isometry : document.isometries) std::swap(isometry.images[0], isometry.images[1]);
+    EXPECT_EQ(outcome(document), "VERIFIED");
+    for (auto& isometry : document.isometries) {
+      isometry.preserves_orientation = !isometry.preserves_orientation;
+      EXPECT_EQ(outcome(document), "REFUTED: isometries");
+      isometry.preserves_orientation = !isometry.preserves_orientation;
+    }
+  }
+}
+
+TEST(Isometries, WithNumbersThatAreTooLargeAreUndecided) {
+  const auto power = [](const Word& word) {
+    Word result;
+    while (result.size() < 300'000) result.insert(result.end(), word.begin(), word.end());
+    return result;
+  };
+  for (const std::size_t k : {0U, 1U, 5U}) {
+    Document document = octagon();
+    document.isometries[0].images[k] = power(document.isometries[0].images[k]);
+    EXPECT_EQ(outcome(document), "UNDECIDED: isometries") << k;
+  }
+  for (const std::size_t k : {0U, 1U}) {
+    Document document = octagon();
+    document.pair[k] = power(document.pair[k]);
+    EXPECT_EQ(outcome(document), "UNDECIDED: isometries") << k;
   }
 }
 
@@ -169,6 +205,20 @@ TEST(Isometries, ACocycleThatTellsNothingApartIsUndecided) {
   Document document = octagon();
   std::fill(document.cocycle.begin(), document.cocycle.end(), 0);
   EXPECT_EQ(outcome(document), "UNDECIDED: least");
+}
+
+TEST(Isometries, AnyCocycleOfTheClassWillDo) {
+  // Two that differ by what a path changes of a function of the tiles have the same sums along closed paths.
+  Document document = read("fenchel-nielsen-2");
+  const SurfaceSides sides(document.net.surface);
+  ASSERT_EQ(sides.first.size(), 2U);
+  std::size_t k = 0;
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (s > sides.partner[s]) continue;
+    document.cocycle[k++] += 12345 * (sides.tile[s] - sides.tile[sides.partner[s]]);
+  }
+  EXPECT_EQ(orbit_size(sides, document, {}), 2U);
+  EXPECT_EQ(outcome(document), "VERIFIED");
 }
 
 TEST(Isometries, OfASumModulo2To32AreToldApart) {
@@ -272,6 +322,12 @@ TEST(Isometries, WhatIsMalformedIsNamed) {
   document.paths.pop_back();
   EXPECT_THAT(structure(document), HasSubstr("paths: "));
 
+  for (std::size_t t = 0; t < fenchel_nielsen().paths.size(); ++t) {
+    document = fenchel_nielsen();
+    document.paths[t].push_back(1'000'000);
+    EXPECT_THAT(structure(document), HasSubstr("paths[" + std::to_string(t) + "]: "));
+  }
+
   document = fenchel_nielsen();
   std::swap(document.paths[1], document.paths[2]);
   EXPECT_THAT(structure(document), HasSubstr("paths[1]: the word ends in tile 2"));
@@ -295,6 +351,14 @@ TEST(Isometries, WhatIsMalformedIsNamed) {
   document = octagon();
   document.cocycle.push_back(0);
   EXPECT_THAT(structure(document), HasSubstr("cocycle: 5 numbers, expected one for each pair of sides, 4"));
+
+  document = octagon();
+  document.cocycle.pop_back();
+  EXPECT_THAT(structure(document), HasSubstr("cocycle: 3 numbers, expected one for each pair of sides, 4"));
+
+  document = octagon();
+  document.claim = GeodesicsDocument::Claim::thick_thin;
+  EXPECT_THAT(structure(document), HasSubstr("claim: expected a spectrum"));
 }
 
 TEST(Isometries, ACocycleHasTheSum0AroundEachVertex) {
@@ -385,6 +449,79 @@ std::array<std::complex<double>, 2> value_of(const Word& word) {
   }
   if (a.real() < 0) return {-a, -b};
   return {a, b};
+}
+
+/// 1 or −1 if the axes of two elements cross, by the ends of the second one on either side of the first; 0 if not.
+int side_of_crossing(const std::array<std::complex<double>, 2>& f, const std::array<std::complex<double>, 2>& g) {
+  // The fixed points, to which and from which an element with Re a > 0 translates.
+  const auto ends = [](const auto& h) {
+    const auto [a, b] = h;
+    const double root = std::sqrt(std::norm(b) - a.imag() * a.imag());
+    const std::complex<double> i(0, a.imag());
+    return std::pair{(i + root) / std::conj(b), (i - root) / std::conj(b)};
+  };
+  const auto [to, from] = ends(f);
+  const auto side = [&, to = to, from = from](std::complex<double> z) {
+    return (std::conj(to - from) * (z - from)).imag();
+  };
+  const auto [left, right] = ends(g);
+  const double x = side(left);
+  const double y = side(right);
+  if (std::abs(x) < 1e-9 || std::abs(y) < 1e-9 || (x > 0) == (y > 0)) return 0;
+  return x > 0 ? 1 : -1;
+}
+
+TEST(Conjugation, AxesCrossIfTheEndsOfOneAreOnBothSidesOfTheOther) {
+  const Crossings crossings = regular_crossings();
+  const auto sign = [&](const Word& x, const Word& y) { return crossing_sign(crossings, x, y, {}).value(); };
+  const int first = sign({0}, {1}) * side_of_crossing(value_of({0}), value_of({1}));
+  ASSERT_NE(first, 0);
+  std::uint32_t random = 1;
+  const auto any_word = [&] {
+    Word word;
+    while (word.size() < 1 + random % 5) {
+      random = 1664525 * random + 1013904223;
+      const std::uint32_t s = random >> 29;
+      if (word.empty() || word.back() != (s + 4) % 8) word.push_back(s);
+    }
+    return word;
+  };
+  std::array<int, 3> count{};
+  for (int i = 0; i < 400; ++i) {
+    const Word x = any_word();
+    const Word y = any_word();
+    const int expected = first * side_of_crossing(value_of(x), value_of(y));
+    EXPECT_EQ(sign(x, y), expected) << i;
+    ++count.at(static_cast<std::size_t>(1 + expected));
+  }
+  EXPECT_GT(*std::min_element(count.begin(), count.end()), 20);
+}
+
+TEST(Conjugation, EachOfTheTracesOfThePairCounts) {
+  const Crossings crossings = regular_crossings();
+  const auto inverse = [](Word word) {
+    std::reverse(word.begin(), word.end());
+    for (std::uint32_t& s : word) s = (s + 4) % 8;
+    return word;
+  };
+  // The product is a conjugate of that of x and y, and one of the two is left as it is.
+  const Word x{0};
+  const Word y{1};
+  const auto has_other_trace = [](const Word& word, const Word& other) {
+    return std::abs(value_of(word)[0].real() - value_of(other)[0].real()) > 1e-6;
+  };
+  int count = 0;
+  for (std::uint32_t s = 0; s < 64; ++s) {
+    const Word by{s / 8, s % 8};
+    const Word product = joined(joined(by, joined(x, y)), inverse(by));
+    const Word other_x = joined(product, inverse(y));
+    const Word other_y = joined(inverse(x), product);
+    if (!has_other_trace(x, other_x) || !has_other_trace(y, other_y)) continue;
+    ++count;
+    EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{x, other_x}, {y, y}}, {}), false) << s;
+    EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{x, x}, {y, other_y}}, {}), false) << s;
+  }
+  EXPECT_GT(count, 20);
 }
 
 double trace_of_product(const std::array<std::complex<double>, 2>& f, const std::array<std::complex<double>, 2>& g) {

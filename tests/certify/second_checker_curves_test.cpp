@@ -24,6 +24,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "tests/certify/claim_files.h"
+#include "tests/certify/far_words.h"
 #include "tests/certify/lifted_reference.h"
 
 /// Curves files, asked of both checkers. Each rule is broken by a file in which nothing else is wrong.
@@ -130,6 +131,8 @@ TEST(Curves, Structure) {
   EXPECT_THAT(problem([](D& d) { d.pairs.push_back(d.pairs.back()); }), HasSubstr("pairs: 56 rows"));
   EXPECT_THAT(problem([](D& d) { std::swap(d.pairs[9], d.pairs[10]); }),
               HasSubstr("pairs[9]: curves 1 and 2, expected 0 and 10"));
+  EXPECT_THAT(problem([](D& d) { ++d.pairs[9].second; }), HasSubstr("pairs[9]: curves 0 and 11, expected 0 and 10"));
+  EXPECT_THAT(problem([](D& d) { ++d.pairs[3].first; }), HasSubstr("pairs[3]: curves 1 and 4, expected 0 and 4"));
   EXPECT_THAT(problem([](D& d) { std::swap(d.pairs[3].first, d.pairs[3].second); }),
               HasSubstr("pairs[3]: curves 4 and 0, expected 0 and 4"));
   EXPECT_THAT(problem([](D& d) { d.pairs[3].intersections = static_cast<std::uint64_t>(kTooMuch); }),
@@ -214,6 +217,30 @@ TEST(Curves, NoneIsNullHomotopic) {
                            })),
               "REFUTED: lengths");
   }
+}
+
+TEST(Curves, WideBallsDecideNothing) {
+  // A word with a detour to somewhere so many sides away, and lengths around the true one and beside it.
+  Document document = octagon();
+  const auto [vertex, word, length, power, self_intersections, homology] = document.curves[0];
+  int open = 0;
+  int decided = 0;
+  for (std::size_t detour = 1; detour < 40; ++detour) {
+    document.curves[0].word = with_far_relator(document.net.surface, 0, word, detour);
+    const auto said = [&](Interval claimed) {
+      document.curves[0].length = claimed;
+      const RuleReport rule = check(document, {.threads = 1, .max_precision = 64}).rules.at(7);
+      EXPECT_EQ(rule.rule, "lengths");
+      return rule.verdict;
+    };
+    const Verdict good = said({length.lower - 1e-3, length.upper + 1e-3});
+    EXPECT_NE(good, Verdict::refuted) << detour;
+    EXPECT_NE(said({length.upper, length.upper + 1e-3}), Verdict::verified) << detour;
+    EXPECT_NE(said({length.lower - 1e-3, length.lower}), Verdict::verified) << detour;
+    ++(good == Verdict::verified ? decided : open);
+  }
+  EXPECT_GT(decided, 3);
+  EXPECT_GT(open, 3);
 }
 
 // Rule powers.

@@ -80,7 +80,7 @@ class Count {
       lower_.push_back(geodesic.length.lower);
       upper_.push_back(geodesic.length.upper);
     }
-    std::sort(lower_.begin(), lower_.end());
+    // Lower ends are in order, by structure_problem.
     std::sort(upper_.begin(), upper_.end());
   }
 

@@ -8,6 +8,7 @@
 #include "certify/base/text.h"
 #include "certify/claims/eigenvalues/eigenfunction.h"
 #include "certify/claims/eigenvalues/enclosures.h"
+#include "certify/claims/eigenvalues/entries.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/eigenvalues/forms.h"
 #include "certify/claims/eigenvalues/line_bundle.h"
@@ -160,17 +161,6 @@ constexpr slong kBitsOfMatrices = 128;
 constexpr slong kFirstBitsOfFunctions = 128;
 constexpr slong kMostBitsOfFunctions = 512;
 
-/// A ball as a number of binary64 and how far it may be from there.
-struct Rounded {
-  explicit Rounded(const Ball& x) {
-    const Interval in = outer_interval(x);
-    value = in.lower / 2 + in.upper / 2;
-    error = above(above(in.upper - in.lower));
-  }
-  double value;
-  double error;
-};
-
 struct RoundedForm {
   explicit RoundedForm(const SymmetricForm& form)
       : square{Rounded(form.square[0]), Rounded(form.square[1]), Rounded(form.square[2])},
@@ -184,22 +174,6 @@ struct TriangleForms {
   RoundedForm energy;
   RoundedForm mass;
 };
-
-/// x − σy, and how far that may be from the exact number.
-MatrixEntry entry(std::uint32_t i, std::uint32_t j, const Rounded& x, double sigma, const Rounded& y) {
-  const double product = sigma * y.value;
-  const double value = x.value - product;
-  const double errors = above(x.error + above(sigma * y.error));
-  const double rounding = above(above(std::abs(product) + std::abs(value)) * 0x1p-52);
-  return {std::max(i, j), std::min(i, j), value, above(errors + rounding)};
-}
-
-/// x times a number of absolute value at most 1.
-MatrixEntry multiple(const MatrixEntry& x, const Rounded& factor) {
-  const double value = x.value * factor.value;
-  const double errors = above(above(std::abs(x.value) * factor.error) + x.error);
-  return {x.row, x.column, value, above(errors + above(std::abs(value)) * 0x1p-52)};
-}
 
 /// The entries of the real symmetric matrix of a Hermitian form (docs/proof.md, section 17.3): of as many rows if all
 /// phases are multiples of ½, otherwise of two for each.
@@ -224,8 +198,8 @@ class HermitianForm {
       return;
     }
     const Turn& turn = turn_of(phase);
-    if (turn.cosine) add_twice(multiple(x, *turn.cosine));
-    if (turn.sine && x.row != x.column) add_across(multiple(x, *turn.sine));
+    if (turn.cosine) add_twice(multiple_of(x, *turn.cosine));
+    if (turn.sine && x.row != x.column) add_across(multiple_of(x, *turn.sine));
   }
 
   /// Of so many rows.
@@ -471,7 +445,7 @@ class EigenvaluesCheck {
       const auto& [energy, mass] = forms[t];
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t own = place[numbers[t][i]];
-        form.add(entry(own, own, energy.square[i], sigma, mass.square[i]), 0);
+        form.add(difference_entry(own, own, energy.square[i], sigma, mass.square[i]), 0);
         const std::size_t second = (i + 1) % 3;
         const std::size_t third = (i + 2) % 3;
         const std::uint32_t j = place[numbers[t][second]];
@@ -479,7 +453,7 @@ class EigenvaluesCheck {
         // In the row of the conjugate of one value, the column of the other: from the row's frame to the column's.
         const Phase phase = j > k ? bundle_.difference(phases[t][third], phases[t][second])
                                   : bundle_.difference(phases[t][second], phases[t][third]);
-        const MatrixEntry product = entry(j, k, energy.product[i], sigma, mass.product[i]);
+        const MatrixEntry product = difference_entry(j, k, energy.product[i], sigma, mass.product[i]);
         form.add(product, phase);
         // Both products of two values of one number are on the diagonal.
         if (j == k) form.add(product, phase);

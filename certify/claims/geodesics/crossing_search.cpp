@@ -413,7 +413,43 @@ namespace {
 /// Bits of two lengths that agree before they are compared exactly.
 constexpr slong kTieBits = 30;
 
+/// The element of a loop edge in the chart of its vertex.
+BallIsometry element_of_loop(const LiftedPlane& plane, std::uint32_t dart) {
+  BallIsometry element = compose(inverse(plane.label(corner_label(plane.net(), dart))),
+                                 plane.label(corner_label(plane.net(), next_dart(dart))), plane.precision());
+  choose_sign(element);
+  return element;
+}
+
 }  // namespace
+
+std::optional<std::vector<std::uint32_t>> edges_in_collar(const MovedNet& net, std::uint32_t loop) {
+  const LiftedPlane& plane = net.plane();
+  const slong precision = plane.precision();
+  const BallIsometry element = element_of_loop(plane, loop);
+  const Precision scope(precision);
+  const Ball sinh_half = sqrt(sqr(real(element.a)) - 1);
+  if (certainly_positive(sinh_half) != Tri::yes) return std::nullopt;
+  std::vector<std::uint32_t> result;
+  if (certainly_less(sinh_half, Ball::exactly(1)) != Tri::yes) return result;
+  const Ball width = 1 / sinh_half;
+  Ball distance;
+  const auto is_inside = [&](const BallVector& axis, std::uint32_t dart) {
+    dot(distance, axis, net.corner(dart), precision);
+    return certainly_less(abs(distance), width) == Tri::yes;
+  };
+  std::uint32_t dart = loop;
+  do {
+    // The vertex is in one place, seen from whichever triangle; the axis is carried to the chart of this one.
+    const BallIsometry& to_triangle = plane.label(corner_label(plane.net(), dart));
+    BallIsometry carried = compose(compose(to_triangle, element, precision), inverse(to_triangle), precision);
+    choose_sign(carried);
+    const BallVector axis = axis_row(carried, precision);
+    if (is_inside(axis, dart) && is_inside(axis, next_dart(dart))) result.push_back(dart);
+    dart = next_dart(opposite(plane.net(), dart));
+  } while (dart != loop);
+  return result;
+}
 
 CrossingPass::CrossingPass(const GeodesicsDocument& document, const LabelEvaluator& evaluator, const LiftedPlane& plane,
                            const Ball& cosh_half, const std::function<Member(std::size_t)>& member, unsigned threads)
@@ -428,8 +464,11 @@ CrossingPass::CrossingPass(const GeodesicsDocument& document, const LabelEvaluat
   if (!moved_.valid()) return;
   std::vector<bool> inner(3 * net_.triangles.size());
   for (std::uint32_t dart = 0; dart < inner.size(); ++dart) {
-    const bool is_loop = start(net_, dart) == start(net_, next_dart(dart)) && dart < opposite(net_, dart);
-    if (is_loop && !find_collar(dart, inner)) return;
+    if (start(net_, dart) != start(net_, next_dart(dart)) || opposite(net_, dart) < dart) continue;
+    const auto edges = edges_in_collar(moved_, dart);
+    if (!edges) return;
+    for (const std::uint32_t edge : *edges) inner[edge] = inner[opposite(net_, edge)] = true;
+    if (!edges->empty()) loops_.push_back(dart);
   }
   order_.emplace(moved_, inner);
   search_.emplace(moved_, *order_, cosh_half);
@@ -456,48 +495,6 @@ CrossingPass::CrossingPass(const GeodesicsDocument& document, const LabelEvaluat
   }
   if (together) meetings_ = find_meetings(plane_, geodesics_);
   table_.emplace(std::move(sequences));
-}
-
-/// The element of a loop edge in the chart of its vertex.
-BallIsometry CrossingPass::element_of_loop(std::uint32_t dart) const {
-  BallIsometry element = compose(inverse(plane_.label(corner_label(net_, dart))),
-                                 plane_.label(corner_label(net_, next_dart(dart))), plane_.precision());
-  choose_sign(element);
-  return element;
-}
-
-/// If the vertex of a loop edge certainly lies in the collar of its core, of length l with sinh(l/2) < 1, so do the
-/// edges there whose other ends are as near to the same lift of the core: sinh of the distance is less than sinh w =
-/// 1/sinh(l/2). False if the precision is too low to tell a very short core from none.
-bool CrossingPass::find_collar(std::uint32_t loop, std::vector<bool>& inner) {
-  const slong precision = plane_.precision();
-  const BallIsometry element = element_of_loop(loop);
-  const Precision scope(precision);
-  const Ball sinh_half = sqrt(sqr(real(element.a)) - 1);
-  if (certainly_positive(sinh_half) != Tri::yes) return false;
-  if (certainly_less(sinh_half, Ball::exactly(1)) != Tri::yes) return true;
-  const Ball width = 1 / sinh_half;
-  Ball distance;
-  const auto is_inside = [&](const BallVector& axis, std::uint32_t dart) {
-    dot(distance, axis, moved_.corner(dart), precision);
-    return certainly_less(abs(distance), width) == Tri::yes;
-  };
-  bool found = false;
-  std::uint32_t dart = loop;
-  do {
-    // The vertex is in one place, seen from whichever triangle; the axis is carried to the chart of this one.
-    const BallIsometry& to_triangle = plane_.label(corner_label(net_, dart));
-    BallIsometry carried = compose(compose(to_triangle, element, precision), inverse(to_triangle), precision);
-    choose_sign(carried);
-    const BallVector axis = axis_row(carried, precision);
-    if (is_inside(axis, dart) && is_inside(axis, next_dart(dart))) {
-      inner[dart] = inner[opposite(net_, dart)] = true;
-      found = true;
-    }
-    dart = next_dart(opposite(net_, dart));
-  } while (dart != loop);
-  if (found) loops_.push_back(loop);
-  return true;
 }
 
 std::vector<std::uint32_t> CrossingPass::codes_of(const std::vector<std::uint32_t>& darts) const {
@@ -543,7 +540,7 @@ Completeness CrossingPass::search(std::uint64_t limit, unsigned threads,
 
 /// The sequence of a loop edge's geodesic; empty if the precision is too low.
 std::vector<std::uint32_t> CrossingPass::codes_of_loop(std::uint32_t loop) const {
-  const auto crossings = axis_crossings(moved_, loop, element_of_loop(loop));
+  const auto crossings = axis_crossings(moved_, loop, element_of_loop(plane_, loop));
   return crossings ? codes_of(crossings->darts) : std::vector<std::uint32_t>();
 }
 

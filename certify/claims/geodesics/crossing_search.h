@@ -207,6 +207,11 @@ struct Completeness {
   std::string missing;           ///< Of one that is missing, in words.
 };
 
+/// The edges at the vertex of a loop edge, by the darts that leave it, of which both ends certainly lie in the collar
+/// of the loop's core: if l is its length and sinh(l/2) < 1, nearer to the same lift of the core than w, sinh w =
+/// 1/sinh(l/2) (docs/proof.md, Lemma 13). Nullopt if the precision is too low to tell a very short core from none.
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> edges_in_collar(const MovedNet& net, std::uint32_t loop);
+
 /// A list of closed geodesics at one precision, by the edges that they cross (docs/proof.md, section 11).
 class CrossingPass {
  public:
@@ -241,8 +246,6 @@ class CrossingPass {
                                     const std::function<void(double)>& progress) const;
 
  private:
-  [[nodiscard]] bool find_collar(std::uint32_t loop, std::vector<bool>& inner);
-  [[nodiscard]] BallIsometry element_of_loop(std::uint32_t dart) const;
   [[nodiscard]] std::vector<std::uint32_t> codes_of(const std::vector<std::uint32_t>& darts) const;
   [[nodiscard]] std::vector<std::uint32_t> codes_of_loop(std::uint32_t loop) const;
   [[nodiscard]] Tri is_in_order(const std::vector<std::uint32_t>& codes, Completeness& part) const;

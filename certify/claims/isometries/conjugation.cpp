@@ -90,8 +90,8 @@ class Evaluator {
   const Budget& budget_;
 };
 
-/// Whether two traces agree up to their sign, and whether they have the same one: `any` if both are 0.
-enum class Ratio { different, same, opposite, any };
+/// Whether two traces, which are not 0, agree up to their sign, and whether they have the same one.
+enum class Ratio { different, same, opposite };
 
 template <class Element>
 using RealOf = std::decay_t<decltype(norm(Element().a))>;
@@ -130,8 +130,7 @@ std::optional<Ratio> trace_ratio(const ScaledTrace<Real>& f, const ScaledTrace<O
   }
   if (!agree) return std::nullopt;
   if (!*agree) return Ratio::different;
-  const int product = sign(f.trace) * sign(g.trace);
-  return product == 0 ? Ratio::any : (product > 0 ? Ratio::same : Ratio::opposite);
+  return sign(f.trace) == sign(g.trace) ? Ratio::same : Ratio::opposite;
 }
 
 /// A basis of the matrices with its determinants.
@@ -176,19 +175,17 @@ std::optional<bool> are_conjugate_of(const From& from_crossings, const To& to_cr
     };
     const auto ratio = trace_ratio(trace(from), trace(to), one_ring, budget);
     if (!ratio) return std::nullopt;
-    if (*ratio == Ratio::different || *ratio == Ratio::opposite) return false;
+    if (*ratio != Ratio::same) return false;
   }
   for (const ElementPair& pair : pairs.subspan(2)) {
     const auto from_traces = traces_with(from, from_evaluator.element(pair.from));
     const auto to_traces = traces_with(to, to_evaluator.element(pair.to));
-    Ratio sign = Ratio::any;
+    std::optional<Ratio> first;
     for (std::size_t i = 0; i < 4; ++i) {
       const auto ratio = trace_ratio(from_traces[i], to_traces[i], one_ring, budget);
       if (!ratio) return std::nullopt;
-      if (*ratio == Ratio::different) return false;
-      if (*ratio == Ratio::any) continue;
-      if (sign != Ratio::any && *ratio != sign) return false;
-      sign = *ratio;
+      if (!first) first = ratio;
+      if (*ratio == Ratio::different || *ratio != *first) return false;
     }
   }
   return true;

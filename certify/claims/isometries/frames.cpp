@@ -125,10 +125,14 @@ bool may_be_equal(const Ball& x, const Ball& y) { return arb_overlaps(x.get(), y
 
 bool may_be_integer(const Ball& x) { return !is_finite(x) || arb_contains_int(x.get()) != 0; }
 
-/// A frame of the plane at a point of a closed geodesic: its direction, or the other one, and an orientation.
-struct Frame {
+/// A crossing point of a closed geodesic: with its direction and the orientation 1, a frame of the plane.
+struct Passage {
   std::size_t geodesic;
   std::size_t point;
+};
+
+/// Any frame at one: the geodesic's direction, or the other one, and an orientation.
+struct Frame : Passage {
   int direction;
   int orientation;
 };
@@ -139,7 +143,7 @@ constexpr std::uint64_t kDistanceOperations = 36;
 
 class Comparison {
  public:
-  Comparison(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from, const Frame& to)
+  Comparison(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from, const Frame& to)
       : plane_(plane), geodesics_(geodesics), from_(from), to_(to) {}
 
   /// Whether an isometry may take one frame to the other: it takes crossing points to such points.
@@ -177,8 +181,8 @@ class Comparison {
     return alike(x, y) && as_far(x, y);
   }
 
-  [[nodiscard]] const std::vector<CrossingPoint>& points(const Frame& frame) const {
-    return geodesics_.points[frame.geodesic];
+  [[nodiscard]] const std::vector<CrossingPoint>& points(const Passage& passage) const {
+    return geodesics_.points[passage.geodesic];
   }
 
   [[nodiscard]] bool alike(const CrossingPoint& x, const CrossingPoint& y) const {
@@ -188,7 +192,7 @@ class Comparison {
 
   const LiftedPlane& plane_;
   const CrossingGeodesics& geodesics_;
-  const Frame& from_;
+  const Passage& from_;
   const Frame& to_;
 };
 
@@ -200,7 +204,7 @@ bool may_correspond(const CrossingGeodesics& geodesics, std::size_t one, std::si
 
 /// The frames, of geodesics from `first_target` on, to which an isometry may take the frame of a geodesic at one of its
 /// points.
-std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from,
+std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from,
                                    std::size_t first_target = 0) {
   const std::size_t size = geodesics.points[from.geodesic].size();
   std::vector<Frame> result;
@@ -210,7 +214,7 @@ std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeode
     for (std::size_t k = 0; k < size; ++k) {
       plane.spend(4 * kAlikeOperations);
       for (const auto& [direction, orientation] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-        const Frame to{i, k, direction, orientation};
+        const Frame to{{i, k}, direction, orientation};
         if (Comparison(plane, geodesics, from, to).possible()) result.push_back(to);
       }
     }
@@ -222,7 +226,7 @@ std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeode
 /// cross them, and so on.
 class FollowedIsometry {
  public:
-  FollowedIsometry(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from, const Frame& to)
+  FollowedIsometry(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from, const Frame& to)
       : plane_(plane), geodesics_(geodesics) {
     take(from, to);
   }
@@ -246,11 +250,11 @@ class FollowedIsometry {
 
  private:
   struct FramePair {
-    Frame from;
+    Passage from;
     Frame to;
   };
 
-  void take(const Frame& from, const Frame& to) {
+  void take(const Passage& from, const Frame& to) {
     plane_.keep(3);
     pair_of_.emplace(from.geodesic, frames_.size());
     frames_.push_back({from, to});
@@ -259,8 +263,8 @@ class FollowedIsometry {
   /// Takes the geodesic that crosses at x to the one that crosses at y, and returns whether that may be.
   [[nodiscard]] bool take_other(const CrossingPoint& x, const CrossingPoint& y, const Frame& to) {
     const int direction = to.orientation * to.direction * x.turn * y.turn;
-    const Frame other{x.other, x.place, 1, 1};
-    const Frame image{y.other, y.place, direction, to.orientation};
+    const Passage other{x.other, x.place};
+    const Frame image{{y.other, y.place}, direction, to.orientation};
     const auto known = pair_of_.find(other.geodesic);
     if (known == pair_of_.end()) {
       take(other, image);
@@ -322,14 +326,14 @@ std::optional<std::vector<std::vector<CrossingPoint>>> crossing_points(const Mov
 
 std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::size_t geodesic,
                               std::size_t point) {
-  return images_of_frame(plane, geodesics, {geodesic, point, 1, 1}).size();
+  return images_of_frame(plane, geodesics, {geodesic, point}).size();
 }
 
 namespace {
 
 /// The frames, of geodesics from `first_target` on, to which an isometry may take one, followed until no more than
 /// `enough` are left.
-std::uint64_t followed_from(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from,
+std::uint64_t followed_from(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from,
                             std::uint64_t enough, std::size_t first_target = 0) {
   std::vector<FollowedIsometry> left;
   for (const Frame& to : images_of_frame(plane, geodesics, from, first_target))
@@ -379,7 +383,7 @@ std::vector<std::size_t> representatives(const LiftedPlane& plane, const Crossin
 std::uint64_t followed_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::uint64_t enough) {
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
   for (const std::size_t geodesic : representatives(plane, geodesics)) {
-    least = std::min(least, followed_from(plane, geodesics, {geodesic, 0, 1, 1}, enough));
+    least = std::min(least, followed_from(plane, geodesics, {geodesic, 0}, enough));
     if (least <= enough) break;
   }
   return least;
@@ -399,7 +403,7 @@ bool leaves_no_frame(const LiftedPlane& plane, const CrossingGeodesics& first, c
   }
   const auto starts = representatives(plane, first);
   return std::any_of(starts.begin(), starts.end(), [&](std::size_t geodesic) {
-    return followed_from(plane, both, {geodesic, 0, 1, 1}, 0, size) == 0;
+    return followed_from(plane, both, {geodesic, 0}, 0, size) == 0;
   });
 }
 
