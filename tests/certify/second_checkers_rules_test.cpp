@@ -261,6 +261,21 @@ TEST(SecondCheckersCollars, HaveTheirVerticesOnDifferentSidesOfTheCoreWhereverTh
         ++met[expect_same_collars(document, parsed(document))];
       }
     }
+    // One vertex where a lift of the other one is, which is thick and covers as before, only on the other side.
+    NetDocument document = with_collars({c});
+    const Net net = parsed(document);
+    NetRules<mpz_class> rules(net);
+    for (const Rule& rule : rules.rules()) {
+      if (rule.name == std::string("surface")) rule.ask();
+    }
+    const auto& [p, q] = (*document.collars)[0].vertices;
+    Index far = 3 * (*document.collars)[0].triangles[0];
+    while (certify::start(document, far) != q) ++far;
+    ASSERT_EQ(net.vertices[rules.start(far / 3 * 3)].chart, net.vertices[p].chart);
+    const Point<mpz_class> z = rules.corner(far);
+    document.vertices[p].x = mpq_class(z.n.re, z.m).get_d();
+    document.vertices[p].y = mpq_class(z.n.im, z.m).get_d();
+    expect_no_collars(document);
   }
   EXPECT_GT(met[Verdict::verified], 10);
   EXPECT_GT(met[Verdict::refuted], 10);
