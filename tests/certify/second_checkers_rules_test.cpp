@@ -16,6 +16,7 @@
 #include "certify/exact/document.h"
 #include "certify/exact/json.h"
 #include "certify/exact/net_rules.h"
+#include "certify/exact/pair_search.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/geometry_check.h"
@@ -308,6 +309,14 @@ RationalIsometry conjugated(const RationalIsometry& f, const RationalIsometry& g
   return compose(f, compose(g, inverse(f)));
 }
 
+RationalIsometry random_isometry(std::mt19937& random) {
+  const auto number = [&] { return static_cast<long>(random() % 19) - 9; };
+  for (;;) {
+    const RationalIsometry f{{number(), number()}, {number(), number()}};
+    if (norm(f.a) > norm(f.b)) return f;
+  }
+}
+
 /// The image of 1 or −1.
 std::complex<double> at_end(const RationalIsometry& f, int end) {
   const std::complex<double> a(f.a.re.get_d(), f.a.im.get_d()), b(f.b.re.get_d(), f.b.im.get_d());
@@ -319,17 +328,10 @@ TEST(Conjugation, TheCrossingSignIsThatOfTheEndsOfTheAxes) {
   // Both move points along the images of the real line under isometries f and g. The axes cross if the ends of one lie
   // on both sides of the other, and the sign says on which the end is to which it moves points.
   std::mt19937 random(39);
-  const auto isometry = [&] {
-    const auto number = [&] { return static_cast<long>(random() % 19) - 9; };
-    for (;;) {
-      const RationalIsometry f{{number(), number()}, {number(), number()}};
-      if (norm(f.a) > norm(f.b)) return f;
-    }
-  };
   std::map<int, int> met;
   for (int k = 0; k < 1000; ++k) {
-    const RationalIsometry f = isometry();
-    const RationalIsometry g = isometry();
+    const RationalIsometry f = random_isometry(random);
+    const RationalIsometry g = random_isometry(random);
     const RationalIsometry x = conjugated(f, {{5, 0}, {1 + k % 4, 0}});
     const RationalIsometry y = conjugated(g, {{7, 0}, {1 + k % 5, 0}});
     // Seen from the first axis: the ends of the other, above the real line or below.
@@ -346,6 +348,42 @@ TEST(Conjugation, TheCrossingSignIsThatOfTheEndsOfTheAxes) {
     EXPECT_EQ(crossing_sign(x, conjugated(f, conjugated(fixes, {{3, 0}, {1, 0}}))), 0) << k;
   }
   for (const int sign : {-1, 0, 1}) EXPECT_GT(met[sign], 50) << sign;
+}
+
+bool may_be_equal(const Motion& f, const Motion& g) { return may_be_identity(compose(inverse(f), g)); }
+Motion negated(const Motion& f) { return {-f.a, -f.b}; }
+
+TEST(SecondCheckersPairs, AreMovedByIsometriesAndCarryAllElementsAlong) {
+  std::mt19937 random(41);
+  int crossing = 0;
+  for (int k = 0; k < 300; ++k) {
+    const RationalIsometry x = conjugated(random_isometry(random), {{5, 0}, {1 + k % 4, 0}});
+    const RationalIsometry y = conjugated(random_isometry(random), {{7, 0}, {1 + k % 5, 0}});
+    const Basis basis(enclose(x), enclose(y));
+    const bool axes_cross = crossing_sign(x, y) != 0;
+    EXPECT_EQ(basis.axes_cross() == Answer::yes, axes_cross) << k;
+    if (!axes_cross) continue;
+    ++crossing;
+    // The normals are those of the isometries, whichever of their two matrices is given.
+    const RationalIsometry f = random_isometry(random);
+    const Motion fx = enclose(conjugated(f, x));
+    const Motion fy = enclose(conjugated(f, y));
+    const Basis image(fx, fy);
+    for (const Basis& other : {image, Basis(negated(fx), fy), Basis(fx, negated(fy))}) {
+      EXPECT_TRUE(other.may_be_image_of(basis)) << k;
+      const RationalIsometry g = random_isometry(random);
+      const Coordinates coordinates(enclose(g), basis);
+      EXPECT_TRUE(may_be_equal(coordinates.in(basis), enclose(g))) << k;
+      EXPECT_TRUE(may_be_equal(coordinates.in(other), enclose(conjugated(f, g)))) << k;
+    }
+    // No isometry takes the axes to others with another angle, or elements to longer ones.
+    if (!may_be_equal(basis.uv, 0)) {
+      EXPECT_FALSE(Basis(fx, inverse(fy)).may_be_image_of(basis)) << k;
+    }
+    EXPECT_FALSE(Basis(compose(fx, fx), fy).may_be_image_of(basis)) << k;
+    EXPECT_FALSE(Basis(fx, compose(fy, fy)).may_be_image_of(basis)) << k;
+  }
+  EXPECT_GT(crossing, 50);
 }
 
 }  // namespace
