@@ -208,48 +208,53 @@ class BoundRules {
   void split_base(Index d) {
     const Index e = base_.opposite[d];
     if (d / 3 == e / 3) throw Refutation{"dart " + number(d) + " has one triangle on both sides"};
-    const std::array<Index, 6> darts{d, next(d), previous(d), e, next(e), previous(e)};
-    std::array<Index, 6> across{};
-    std::array<Index, 6> start{};
-    std::array<std::size_t, 6> element{};
+    const Index a = base_.start[d];
+    const Index b = base_.start[e];
+    const Index c = base_.start[previous(d)];
+    const Index x = base_.start[previous(e)];
     const auto mbc = static_cast<Index>(base_.start.size());
     const Index max = mbc + 3;
-    for (std::size_t i = 0; i < 6; ++i) {
-      const Index other = base_.opposite[darts[i]];
-      across[i] = other == next(d) ? mbc + 1 : other == next(e) ? max + 1 : other;
-      start[i] = base_.start[darts[i]];
-      element[i] = base_.element[darts[i]];
-    }
-    const Vector& from = base_.point[start[0]];
-    const Vector to = moved(elements_[element[0]], base_.point[start[3]]);
-    base_.point.push_back(midpoint(from, to, sqrt((cosh_distance(from, to) + 1) / 2)));
-    const auto m = static_cast<Index>(base_.point.size() - 1);
+    const std::size_t from_b = base_.element[next(d)];
+    const std::size_t from_c = base_.element[previous(d)];
+    const std::size_t to_b = base_.element[d];
+    const std::size_t to_x = base_.element[next(e)];
     const std::size_t one = elements_.size();
-    const std::size_t from_c = element[2];
     const std::size_t to_c = one + 1;
     const std::size_t from_x = one + 2;
     elements_.push_back(Isometry<R>());
     elements_.push_back(inverse(Isometry<R>(elements_[from_c])));
-    elements_.push_back(inverse(Isometry<R>(elements_[element[4]])));
+    elements_.push_back(inverse(Isometry<R>(elements_[to_x])));
+    const Vector& from = base_.point[a];
+    const Vector to = moved(elements_[to_b], base_.point[b]);
+    base_.point.push_back(midpoint(from, to, sqrt((cosh_distance(from, to) + 1) / 2)));
+    const auto m = static_cast<Index>(base_.point.size() - 1);
     base_.opposite.resize(max + 3);
     base_.start.resize(max + 3);
     base_.element.resize(max + 3);
-    const auto set = [&](Index dart, Index origin, Index other, std::size_t along) {
+    const auto set = [&](Index dart, Index origin, std::size_t along) {
       base_.start[dart] = origin;
-      base_.opposite[dart] = other;
-      base_.opposite[other] = dart;
       base_.element[dart] = along;
     };
-    set(d, start[0], max, one);
-    set(next(d), m, mbc + 2, to_c);
-    set(e, start[3], mbc, element[3]);
-    set(next(e), m, max + 2, element[4]);
-    set(mbc, m, e, element[0]);
-    set(mbc + 1, start[3], across[1], element[1]);
-    set(mbc + 2, start[2], next(d), from_c);
-    set(max, m, d, one);
-    set(max + 1, start[0], across[4], element[4]);
-    set(max + 2, start[5], next(e), from_x);
+    set(d, a, one);
+    set(next(d), m, to_c);
+    set(next(e), m, to_x);
+    set(mbc, m, to_b);
+    set(mbc + 1, b, from_b);
+    set(mbc + 2, c, from_c);
+    set(max, m, one);
+    set(max + 1, a, to_x);
+    set(max + 2, x, from_x);
+    const auto glue = [&](Index dart, Index other) {
+      base_.opposite[dart] = other;
+      base_.opposite[other] = dart;
+    };
+    // If bc and ax are one edge, next(e) is opposite to mbc + 1 after the first of these.
+    glue(mbc + 1, base_.opposite[next(d)]);
+    glue(max + 1, base_.opposite[next(e)]);
+    glue(d, max);
+    glue(next(d), mbc + 2);
+    glue(e, mbc);
+    glue(next(e), max + 2);
   }
 
   /// Dart d from a to b, of the triangles abc and bax: it becomes the dart from x to c.
@@ -328,18 +333,10 @@ class BoundRules {
     Answer result = Answer::yes;
     for (const Vector& p : cell.corner) {
       const std::vector<Interval> h = values(map, p);
-      for (std::size_t t = 0; t < h.size(); t += 3) result = both(result, fits(h[t], h[t + 1], h[t + 2]));
+      for (std::size_t t = 0; t < h.size(); t += 3)
+        result = both(result, fits_in_disk(h[t], h[t + 1], h[t + 2], most_));
     }
     return result;
-  }
-
-  [[nodiscard]] Answer fits(const Interval& a, const Interval& b, const Interval& c) const {
-    const Answer is_short = both(both(!is_less(most_, a), !is_less(most_, b)), !is_less(most_, c));
-    const Answer acute = both(both(is_less(a, b + c), is_less(b, c + a)), is_less(c, a + b));
-    const Interval k = 4 * a * b - square(a + b - c);
-    // Lemma 20: a disk around the circumcentre, or around the middle of the longest side.
-    const Answer around_centre = both(is_less(0, k), !is_less(k * most_, 4 * a * b * c));
-    return both(is_short, either(around_centre, !acute));
   }
 
   /// d(p, gp) <= 2 HI at the corners, and g is not the identity.
@@ -406,6 +403,15 @@ Answer all_counterclockwise(const std::vector<Interval>& tangent, const Arctan& 
 }
 
 }  // namespace
+
+Answer fits_in_disk(const Interval& a, const Interval& b, const Interval& c, const Interval& most) {
+  const Answer is_short = both(both(!is_less(most, a), !is_less(most, b)), !is_less(most, c));
+  const Answer acute = both(both(is_less(a, b + c), is_less(b, c + a)), is_less(c, a + b));
+  const Interval k = 4 * a * b - square(a + b - c);
+  // A disk around the circumcentre, or around the middle of the longest side.
+  const Answer around_centre = both(is_less(0, k), !is_less(k * most, 4 * a * b * c));
+  return both(is_short, either(around_centre, !acute));
+}
 
 Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Interval>& h, const Interval& least) {
   std::vector<Interval> kappa(h.size()), tangent;

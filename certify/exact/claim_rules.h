@@ -22,6 +22,9 @@ template <class R>
 /// Section 15.
 template <class R>
 [[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net);
+/// Lemma 20 there: whether three points lie in a disk of radius R, by sinh²(d/2) of the distances between them and
+/// sinh²R.
+[[nodiscard]] Answer fits_in_disk(const Interval& a, const Interval& b, const Interval& c, const Interval& most);
 /// Lemma 25 there, for a triangulation with one vertex at a point: whether it is Delaunay, all edges certainly locally
 /// so, and has a circumradius R with sinh²R >= `least`. By what is across each dart, and sinh²(d/2) of each.
 [[nodiscard]] Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Interval>& h,

@@ -176,9 +176,10 @@ R delaunay_determinant(const Point<R>& p, const Point<R>& q, const Point<R>& r, 
     Complex<R> z;
     R square;
   };
+  // The row of z times (z.m far.m)², but x and y without one factor far.m, which they have in all rows.
   const auto row = [&](const Point<R>& z) {
     const Complex<R> difference = far.m * z.n - z.m * far.n;
-    return Row{R(z.m * far.m) * difference, norm(difference)};
+    return Row{z.m * difference, norm(difference)};
   };
   const auto minor = [](const Row& u, const Row& v) { return R(u.z.re * v.z.im - u.z.im * v.z.re); };
   const Row u = row(p);
@@ -223,27 +224,26 @@ void NetRules<R>::check_delaunay() {
 }
 
 template <class R>
+bool NetRules<R>::has_circumcircle(Index t) {
+  return sgn(CircumradiusQuotient<R>({corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)}).discriminant) > 0;
+}
+
+template <class R>
 Answer NetRules<R>::circumradius_is_less(Index t, const SquaredSinh& s) {
   const CircumradiusQuotient<RoughInterval> rough_quotient(
       {rough_corner(3 * t), rough_corner(3 * t + 1), rough_corner(3 * t + 2)});
-  if (certain_sign(rough_quotient.discriminant) > 0) {
-    if (s.infinite) return Answer::yes;
-    const Answer answer = is_less(rough_quotient.numerator, rough_quotient.discriminant, rough(s));
-    if (answer != Answer::unknown) return answer;
-  }
+  const Answer answer = is_less(rough_quotient.numerator, rough_quotient.discriminant, rough(s));
+  if (answer != Answer::unknown) return answer;
   const CircumradiusQuotient<R> quotient({corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)});
-  if (sgn(quotient.discriminant) <= 0) return Answer::no;
   return is_less(quotient.numerator, quotient.discriminant, s);
 }
 
 template <class R>
 Answer NetRules<R>::half_edge_is_less(Index dart, const SquaredSinh& s) {
-  if (!s.infinite) {
-    const Point<RoughInterval> p = rough_corner(dart);
-    const Point<RoughInterval> q = rough_corner(next(dart));
-    const Answer answer = is_less(squared_difference(p, q), gap(p) * gap(q), rough(s));
-    if (answer != Answer::unknown) return answer;
-  }
+  const Point<RoughInterval> rough_p = rough_corner(dart);
+  const Point<RoughInterval> rough_q = rough_corner(next(dart));
+  const Answer answer = is_less(squared_difference(rough_p, rough_q), gap(rough_p) * gap(rough_q), rough(s));
+  if (answer != Answer::unknown) return answer;
   const Point<R> p = corner(dart);
   const Point<R> q = corner(next(dart));
   return is_less(squared_difference(p, q), R(gap(p) * gap(q)), s);
@@ -253,8 +253,11 @@ template <class R>
 void NetRules<R>::check_covering() {
   const SquaredSinh s = squared_sinh(net().epsilon);
   for (Index t = 0; t < net().triangles.size(); ++t) {
-    // The triangles of collars need no more than a circumcircle: sinh² of its radius is less than infinity.
-    const Answer less = circumradius_is_less(t, in_collar_[t] ? kInfiniteSinh : s);
+    if (in_collar_[t]) {
+      if (!has_circumcircle(t)) throw Refutation{triangle_name(t) + " has no circumcircle"};
+      continue;
+    }
+    const Answer less = circumradius_is_less(t, s);
     if (less == Answer::no) throw Refutation{triangle_name(t) + " has a circumradius greater than epsilon"};
     if (less == Answer::unknown) throw TooLarge{triangle_name(t) + " has a circumradius that is nearly epsilon"};
   }

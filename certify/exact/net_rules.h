@@ -65,6 +65,8 @@ class NetRules : public NetStructure {
   Isometry<R> element(Index dart) {
     return product(inverse(label(label_number(dart))), label(label_number(next(dart))));
   }
+  /// Whether a triangle has a circumcircle.
+  bool has_circumcircle(Index t);
   /// Whether the circumradius of a triangle is less than the length whose sinh² is given; no if there is no
   /// circumcircle.
   Answer circumradius_is_less(Index t, const SquaredSinh& s);

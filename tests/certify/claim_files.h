@@ -47,6 +47,23 @@ inline GeodesicsDocument in_order(GeodesicsDocument document) {
   return document;
 }
 
+/// The same net with its triangles in another order: number k is that which was number order[k].
+inline NetDocument with_triangles_in_order(const NetDocument& document, const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
+  NetDocument result = document;
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    result.triangles[k] = document.triangles[order[k]];
+    for (std::uint32_t& dart : result.triangles[k].opposite) dart = 3 * place[dart / 3] + dart % 3;
+  }
+  if (result.collars) {
+    for (NetDocument::Collar& collar : *result.collars) {
+      for (std::uint32_t& t : collar.triangles) t = place[t];
+    }
+  }
+  return result;
+}
+
 /// The path back on the surface of a document.
 inline std::vector<std::uint32_t> reversed(const AnyClaim& document, std::vector<std::uint32_t> word) {
   const SurfaceSides sides(document.net().surface);

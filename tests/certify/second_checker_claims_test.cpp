@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -484,7 +485,16 @@ TEST(SlowSecondCheckerOfBounds, TheValueAtTheVertexIsOnTheRightSide) {
     value = radius ? known.lower - 1e-13 : known.upper + 1e-13;
     document.value.lower = std::min(document.value.lower, document.value.upper);
     document.value.upper = std::max(document.value.lower, document.value.upper);
-    EXPECT_EQ(outcome(document), std::string("REFUTED: ") + (radius ? "upper" : "lower")) << name;
+    const std::string refuted = std::string("REFUTED: ") + (radius ? "upper" : "lower");
+    EXPECT_EQ(outcome(document), refuted) << name;
+    // Whichever darts the edge that decides has.
+    std::mt19937 random(14);
+    std::vector<std::uint32_t> order{0, 1, 2, 3, 4, 5};
+    for (int k = 0; k < 12; ++k) {
+      std::shuffle(order.begin(), order.end(), random);
+      document.net = certify::with_triangles_in_order(bound(name).net, order);
+      EXPECT_EQ(outcome(document), refuted) << name;
+    }
   }
 }
 
@@ -552,6 +562,87 @@ TEST(SlowSecondCheckerOfBounds, ABasesTrianglesAreWhereTheFirstCheckerHasThem) {
     }
     EXPECT_EQ(outcome(with(verified + 1e-7)), "VERIFIED") << name << ", " << verified;
     EXPECT_EQ(outcome(with(refuted - 1e-7)), "REFUTED: cells") << name << ", " << refuted;
+  }
+}
+
+/// A base of which each triangle is one cell, bounded by the triangulation of the net.
+BoundDocument with_base(const std::vector<std::uint32_t>& steps) {
+  BoundDocument document = bound("octagon-diameter-base");
+  document.triangulations.clear();
+  document.base = steps;
+  const auto splits = std::count_if(steps.begin(), steps.end(), [](std::uint32_t step) { return step % 2 == 1; });
+  document.cells.assign(document.net.triangles.size() + 2 * static_cast<std::size_t>(splits), {3});
+  return document;
+}
+
+TEST(SlowSecondCheckerOfBounds, EveryStepOfABaseIsThatOfTheFormat) {
+  // The least bound that holds at all corners is the same for both checkers, whichever edges are flipped and split:
+  // also those of two triangles that have other edges in common, as there are many between six triangles.
+  std::mt19937 random(15);
+  int met = 0;
+  for (int run = 0; run < 60; ++run) {
+    std::vector<std::uint32_t> steps;
+    std::uint32_t darts = 18;
+    for (int k = 0; k < 2 + run % 5; ++k) {
+      steps.push_back(static_cast<std::uint32_t>(random() % (2 * darts)));
+      if (steps.back() % 2 == 1) darts += 6;
+    }
+    BoundDocument document = with_base(steps);
+    const auto first = [&](double upper) {
+      document.value.upper = upper;
+      return first_outcome(document);
+    };
+    double refuted = document.value.lower;
+    double verified = 20;
+    if (first(verified) != "VERIFIED" || first(refuted) == "VERIFIED") continue;
+    while (verified - refuted > 1e-6) {
+      const double middle = (refuted + verified) / 2;
+      (first(middle) == "VERIFIED" ? verified : refuted) = middle;
+    }
+    ++met;
+    document.value.upper = verified + 1e-6;
+    EXPECT_EQ(outcome(document), "VERIFIED") << run;
+    document.value.upper = refuted - 1e-6;
+    EXPECT_EQ(outcome(document), "REFUTED: cells") << run;
+  }
+  EXPECT_GT(met, 20);
+}
+
+TEST(SlowSecondCheckerOfBounds, AnEdgeWithOneTriangleOnBothSidesIsNotFlippedAndNotSplit) {
+  // Dart 0 is split at m; flips of three of the four edges at m leave dart 22, within the triangle of darts 21 to 23.
+  const std::vector<std::uint32_t> to_one_edge{1, 2, 0, 2};
+  for (const std::uint32_t step : {44U, 45U}) {
+    std::vector<std::uint32_t> steps = to_one_edge;
+    BoundDocument document = with_base(steps);
+    document.value.upper = 20;
+    EXPECT_EQ(outcome(document), "VERIFIED");
+    steps.push_back(step);
+    document = with_base(steps);
+    document.value.upper = 20;
+    EXPECT_EQ(outcome(document), "REFUTED: triangulations");
+    EXPECT_EQ(first_outcome(document), "REFUTED: triangulations");
+  }
+}
+
+TEST(SlowSecondCheckerOfBounds, ABaseIsWhereTheVertexIs) {
+  // The one vertex at other coordinates z, in a chart moved to c so that it is the same point: (z + c)/(1 + c̄z).
+  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base"}) {
+    for (const auto& [x, y] : {std::pair{0.25, 0.5}, std::pair{-0.75, 0.125}}) {
+      BoundDocument document = bound(name);
+      NetDocument::Vertex& vertex = document.net.vertices[0];
+      ASSERT_EQ(std::pair(vertex.x, vertex.y), std::pair(0.0, 0.0));
+      vertex.x = x;
+      vertex.y = y;
+      // c − kc̄ = e with k = pz and e = p − z, p the point.
+      certify::RationalPoint& centre = document.net.charts[vertex.chart].centre;
+      const mpq_class zx(x), zy(y), px = centre.x, py = centre.y;
+      const mpq_class kx = px * zx - py * zy, ky = px * zy + py * zx;
+      const mpq_class ex = px - zx, ey = py - zy;
+      const mpq_class scale = 1 - kx * kx - ky * ky;
+      centre.x = (ex + kx * ex + ky * ey) / scale;
+      centre.y = (ey + ky * ex - kx * ey) / scale;
+      EXPECT_EQ(outcome(document), "VERIFIED") << name;
+    }
   }
 }
 
@@ -754,6 +845,43 @@ TEST(TriangulationsWithOneVertex, AreDelaunayAndWideForBothCheckersIfTheirAngles
   }
   EXPECT_GT(met[0], 50);
   EXPECT_GT(met[1], 50);
+}
+
+TEST(SecondCheckerOfBounds, ThreePointsFitInNoSmallerDiskThanTheLeastOne) {
+  // The least disk around three points is that around the middle of the longest side if the third point is in it, and
+  // else the circumdisk. In binary64, by the law of cosines for half of a triangle.
+  std::mt19937 random(20);
+  std::array<int, 2> met{};
+  for (int run = 0; run < 2000; ++run) {
+    std::array<std::complex<double>, 3> z;
+    const double size = std::pow(10, -static_cast<double>(run % 3));
+    for (auto& point : z) {
+      point =
+          std::polar(size * 0.9 * static_cast<double>(random() % 1000) / 1000, static_cast<double>(random() % 6283));
+    }
+    std::array<double, 3> h{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto p = z[i], q = z[(i + 1) % 3];
+      h[i] = std::norm(p - q) / ((1 - std::norm(p)) * (1 - std::norm(q)));
+    }
+    if (*std::min_element(h.begin(), h.end()) < 1e-9) continue;
+    const std::size_t longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
+    const double x = h[(longest + 1) % 3], y = h[(longest + 2) % 3], half = h[longest];
+    // sinh²(m/2) of the median m: cosh m = (cosh d + cosh d′)/(2 cosh r), cosh d = 1 + 2 sinh²(d/2), sinh²r = half.
+    const double median = (1 + x + y) / std::sqrt(1 + half);
+    const bool in_it = median * median <= 1 + half;
+    const double k = 4 * x * y - (x + y - half) * (x + y - half);
+    const double least = in_it ? half : 4 * x * y * half / k;
+    if (std::abs(median * median / (1 + half) - 1) < 1e-6 * half) continue;
+    ++met.at(in_it ? 1 : 0);
+    const auto exactly = [](double value) { return Interval(mpq_class(value)); };
+    EXPECT_EQ(fits_in_disk(exactly(h[0]), exactly(h[1]), exactly(h[2]), exactly(least * (1 + 1e-9))), Answer::yes)
+        << run;
+    EXPECT_EQ(fits_in_disk(exactly(h[0]), exactly(h[1]), exactly(h[2]), exactly(least * (1 - 1e-9))), Answer::no)
+        << run;
+  }
+  EXPECT_GT(met[0], 300);
+  EXPECT_GT(met[1], 300);
 }
 
 TEST(SlowSecondCheckerOfBounds, LongEdgesDoNotBoundACell) {

@@ -461,6 +461,57 @@ TEST(SecondCheckerOfComparisons, TheDegreeIsThatOfBothFieldsTogether) {
   }
 }
 
+/// A number that is known no better than to some multiple of itself until more than 1000 bits are asked for.
+exact::RealNumber hardly_known(exact::RealNumber x) {
+  x.approximation = [precise = x.approximation](mp_bitcnt_t k) {
+    if (k > 1000) return precise(k);
+    return exact::Approximation{0, 2 * abs(precise(k).value) + 2};
+  };
+  return x;
+}
+
+TEST(SecondCheckerOfComparisons, NumbersAreWithinTheErrorsOfTheirApproximations) {
+  const exact::RealNumber zero = exact::real_number(mpz_class(0));
+  for (const int x : {1, 5, 1000}) {
+    for (const int y : {1, 3, 1000}) {
+      const exact::RealNumber first = hardly_known(exact::real_number(mpz_class(x)));
+      const exact::RealNumber other = hardly_known(exact::real_number(mpz_class(y)));
+      const exact::RealNumber product = exact::real_number(mpz_class(x * y));
+      const exact::RealNumber one = exact::real_number(mpz_class(1));
+      // xy = 0 · 0, and xy = xy · 1.
+      EXPECT_FALSE(are_conjugate({{first, zero, 1}}, {{zero, other, 1}}));
+      EXPECT_TRUE(are_conjugate({{first, product, 1}}, {{one, other, 1}}));
+    }
+  }
+}
+
+TEST(SecondCheckerOfComparisons, EitherFieldMayHaveTheIntegers) {
+  // As above, with the fields exchanged, and with the products on other sides.
+  const auto expect_different = [](const exact::RealNumber& x, const exact::RealNumber& y, const exact::RealNumber& u,
+                                   const exact::RealNumber& v) {
+    EXPECT_FALSE(are_conjugate({{x, u, 1}}, {{v, y, 1}}));
+    EXPECT_FALSE(are_conjugate({{u, x, 1}}, {{y, v, 1}}));
+    EXPECT_FALSE(are_conjugate({{y, v, 1}}, {{u, x, 1}}));
+    EXPECT_FALSE(are_conjugate({{v, y, 1}}, {{x, u, 1}}));
+  };
+  const exact::RealNumber one = exact::real_number(mpz_class(1));
+  const exact::NumberField two({-2, 0, 1}, 1, 2);
+  const exact::NumberField five({-5, 0, 1}, 2, 3);
+  for (const auto& x : biquadratic::powers_with_five(15)) {
+    expect_different(real_number(exact::FieldNumber(two, {x[0], x[1]})), one,
+                     real_number(exact::FieldNumber(two, {-x[2], -x[3]})),
+                     real_number(exact::FieldNumber(five, {0, 1})));
+  }
+  const exact::RealField eight(8, 8, false);
+  const exact::RealField twelve(12, 12, false);
+  for (const auto& x : biquadratic::powers_with_three(15)) {
+    const auto in_eight = [&](const mpz_class& a, const mpz_class& b) {
+      return real_number(exact::Algebraic(a) + exact::Algebraic(b) * eight.cosine(1));
+    };
+    expect_different(in_eight(x[0], x[1]), one, in_eight(-x[2], -x[3]), real_number(twelve.cosine(1)));
+  }
+}
+
 TEST(SecondCheckerOfComparisons, TheSpectraAreSpectra) {
   Document document = octagons();
   document.other.claim = GeodesicsDocument::Claim::systole;

@@ -24,6 +24,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/numbering.h"
+#include "tests/certify/claim_files.h"
 
 /// The second checker: the files of tests/data/certify, and its numbers beside those of the first checker.
 /// Mutants of nets are in tests/netgen/mutation_test.cpp.
@@ -932,18 +933,6 @@ TEST(BothCheckers, NameTheFirstWrongTriangleOrEdge) {
   for (const char* rule : {"", "orientation", "delaunay", "covering", "packing"}) EXPECT_GT(met[rule], 0) << rule;
 }
 
-/// The same net with its triangles in another order: number k is that which was number order[k].
-NetDocument with_triangles_in_order(const NetDocument& document, const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
-  NetDocument result = document;
-  for (std::uint32_t k = 0; k < order.size(); ++k) {
-    result.triangles[k] = document.triangles[order[k]];
-    for (std::uint32_t& dart : result.triangles[k].opposite) dart = 3 * place[dart / 3] + dart % 3;
-  }
-  return result;
-}
-
 TEST(BothCheckers, AskEveryTriangleWhereverItIs) {
   // What is wrong in one triangle alone, in each place: a radius above ε; an edge, and there another one each time that
   // no triangle before it has.
@@ -953,7 +942,7 @@ TEST(BothCheckers, AskEveryTriangleWhereverItIs) {
   for (std::uint32_t k = 0; k < n; ++k) order[k] = k;
   for (std::size_t turn = 0; turn < n; ++turn) {
     std::rotate(order.begin(), order.begin() + 1, order.end());
-    NetDocument document = with_triangles_in_order(good, order);
+    NetDocument document = certify::with_triangles_in_order(good, order);
     expect_of_both(document, "VERIFIED");
     document.epsilon = "0.954362312811241";  // Just less than the largest radius.
     expect_of_both(document, "REFUTED: covering");
