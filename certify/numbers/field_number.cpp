@@ -164,9 +164,9 @@ Ball NumberField::root(slong bits) const {
     budget_.spend(4 * ball_work(static_cast<std::uint64_t>(precision)), degree());
     const Precision scope(precision);
     const Ball m = midpoint(x);
-    const Ball closer = m - evaluated(f_, m) / evaluated(derivative_, x);
+    const Ball closer = intersection(x, m - evaluated(f_, m) / evaluated(derivative_, x));
     if (is_narrower(closer, x)) {
-      x = intersection(x, closer);
+      x = closer;
     } else {
       precision += precision / 2;
     }
