@@ -28,10 +28,10 @@ struct Jet {
   std::vector<T> derivatives = {};
 };
 
-Ball number(long n, const Ball* /*kind*/) { return Ball::exactly(n); }
+Ball number(double n, const Ball* /*kind*/) { return Ball::exactly(n); }
 Ball reciprocal(const Ball& x) { return 1 / x; }
 template <class T>
-Jet<T> number(long n, const Jet<T>* /*kind*/) {
+Jet<T> number(double n, const Jet<T>* /*kind*/) {
   return {number(n, static_cast<const T*>(nullptr)), {}};
 }
 
@@ -100,6 +100,13 @@ Jet<T> acosh(const Jet<T>& x) {
   return composed(T(acosh(x.value)), x, reciprocal(T(sqrt(T(x.value * x.value - one)))));
 }
 
+/// About the value.
+double rough(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+template <class T>
+double rough(const Jet<T>& x) {
+  return rough(x.value);
+}
+
 /// A matrix of positive determinant, which acts on the upper half-plane.
 template <class T>
 struct HalfPlaneMatrix {
@@ -154,18 +161,27 @@ class Heptagons {
   }
 
   /// The length of the closed geodesic of a path.
+  ///
+  /// Between frames that have the axis for an axis each step is nearly a diagonal matrix, so that errors of steps are
+  /// added; in the product of the crossings themselves each would be multiplied by the norms of all others.
   [[nodiscard]] T length(const Word& word) const {
-    M product = crossings_[word.front().number()];
-    for (std::size_t i = 1; i < word.size(); ++i) product = crossings_[word[i].number()] * product;
+    const std::vector<M> frames = axis_frames(word);
+    M product{of(1), of(0), of(0), of(1)};
+    T determinant = of(1);
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      const M step = adjugate(frames[(i + 1) % frames.size()]) * crossings_[word[i].number()] * frames[i];
+      determinant = determinant * step.determinant();
+      product = step * product;
+    }
     const T trace = product.a + product.d;
-    return acosh(trace * trace / (of(2) * product.determinant()) - of(1));
+    return acosh(trace * trace / (of(2) * determinant) - of(1));
   }
 
  private:
   static constexpr std::uint32_t kSides = 7;
   static constexpr std::array<std::uint32_t, 3> kCuffSides{6, 1, 4};
 
-  static T of(long n) { return number(n, static_cast<const T*>(nullptr)); }
+  static T of(double n) { return number(n, static_cast<const T*>(nullptr)); }
 
   /// The cuff as seen from the pants: in its frame it runs from 0 to ∞, and the mark is at this height.
   struct Cuff {
@@ -195,6 +211,44 @@ class Heptagons {
     std::array<M, 2> generators;  ///< D₁ and D₂.
     std::vector<Cuff> cuffs;
   };
+
+  /// By step of a closed path, in the heptagon where it begins: the ends of the axis, roughly, as columns of length 1.
+  /// Any constant matrices that have inverses would do.
+  [[nodiscard]] std::vector<M> axis_frames(const Word& word) const {
+    constexpr int kRounds = 20;
+    constexpr double kLeastAngle = 1e-9;
+    using Direction = std::array<double, 2>;
+    const auto image = [](const HalfPlaneMatrix<double>& m, const Direction& u) {
+      const Direction v{m.a * u[0] + m.b * u[1], m.c * u[0] + m.d * u[1]};
+      const double size = std::sqrt(v[0] * v[0] + v[1] * v[1]);  // The same on every machine.
+      return Direction{v[0] / size, v[1] / size};
+    };
+    std::vector<HalfPlaneMatrix<double>> steps;
+    for (const SideId s : word) {
+      const M& m = crossings_[s.number()];
+      steps.push_back({rough(m.a), rough(m.b), rough(m.c), rough(m.d)});
+    }
+    // Whatever goes around and around comes to an end of the axis, and backwards to the other one.
+    std::vector<Direction> ahead(word.size());
+    std::vector<Direction> behind(word.size());
+    Direction u{0.8, 0.6};
+    Direction v{0.6, -0.8};
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        ahead[i] = u;
+        u = image(steps[i], u);
+      }
+      for (std::size_t i = steps.size(); i-- > 0;) behind[i] = v = image(adjugate(steps[i]), v);
+    }
+    std::vector<M> frames;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      const auto& [x, y] = ahead[i];
+      const auto& [z, w] = behind[i];
+      const bool is_frame = std::abs(x * w - y * z) > kLeastAngle;
+      frames.push_back(is_frame ? M{of(x), of(z), of(y), of(w)} : M{of(1), of(0), of(0), of(1)});
+    }
+    return frames;
+  }
 
   M& crossing(std::uint32_t pants, std::uint32_t side) { return crossings_[std::size_t{kSides} * pants + side]; }
 

@@ -127,6 +127,26 @@ TEST(LengthDerivatives, ATwistOfHalfTheLengthIsUnderstoodAsTheSurfaceIsGlued) {
     EXPECT_NEAR(middle(length_derivatives(coordinates, word).length), length_of(surface, word), 1e-12);
 }
 
+TEST(LengthDerivatives, OverABoxErrorsOfALongPathAreAdded) {
+  constexpr int kTimes = 8;
+  auto [coordinates, surface] = made(PantsGraph::parse("0-1 0-1 0-1"), 3);
+  for (certify::Interval& x : coordinates.values) x = {x.lower - 1e-9, x.upper + 1e-9};
+  for (const Word& word : geodesics_up_to(surface, "5")) {
+    Word power;
+    for (int i = 0; i < kTimes; ++i) power.insert(power.end(), word.begin(), word.end());
+    const LengthDerivatives once = length_derivatives(coordinates, word, true);
+    const LengthDerivatives around = length_derivatives(coordinates, power, true);
+    for (std::size_t i = 0; i < coordinates.values.size(); ++i) {
+      for (std::size_t j = 0; j < coordinates.values.size(); ++j) {
+        const certify::Interval& x = once.second[i][j];
+        const certify::Interval& y = around.second[i][j];
+        EXPECT_LT(y.upper - y.lower, 10);
+        EXPECT_LE(std::max(kTimes * x.lower, y.lower), std::min(kTimes * x.upper, y.upper));
+      }
+    }
+  }
+}
+
 TEST(LengthDerivatives, OtherTilesAreRefused) {
   EXPECT_THROW((void)enclosed_coordinates(pants_decomposition(random_octagon(5))), SurfaceError);
 }
