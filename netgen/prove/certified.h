@@ -44,14 +44,15 @@ class NotCertifiedError : public NetError {
   certify::Certificate certificate_;
 };
 
-/// Returns how a document that was made here is checked. A net or a list of curves may take the work that a file of its
-/// size may, so that `certify` verifies the file without options. Other claims have no limit of work: the limit
-/// protects from the files of others, and would refuse a true list that is long. Progress is that of the rules, as
-/// "certificate: RULE".
+/// Returns how a document that was made here is checked. A net, a list of curves or of isometries may take the work
+/// that a file of its size may, so that `certify` verifies the file without options. Other claims have no limit of
+/// work: the limit protects from the files of others, and would refuse a true list that is long. Progress is that of
+/// the rules, as "certificate: RULE".
 [[nodiscard]] inline certify::CheckOptions own_check(const certify::AnyClaim& document, unsigned threads = 0,
                                                      const Progress& progress = {}) {
   const bool as_a_file = document.visit([]<class Document>(const Document&) {
-    return std::same_as<Document, certify::NetDocument> || std::same_as<Document, certify::CurvesDocument>;
+    return std::same_as<Document, certify::NetDocument> || std::same_as<Document, certify::CurvesDocument> ||
+           std::same_as<Document, certify::IsometriesDocument>;
   });
   certify::CheckOptions result;
   result.threads = threads;
