@@ -348,17 +348,13 @@ Word word_of(const DirichletPolygon& polygon, const std::vector<std::uint32_t>& 
 
 /// The image of a point in the domain, and the element that takes it there, after `move`.
 void reduce(const DomainFrame& frame, Move& move, DiskPoint& z) {
-  constexpr int kMostSteps = 10'000;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const auto side = frame.side_towards(z);
-    if (!side) return;
-    const Move back = inverse(frame.pairings()[*side]);
-    const DiskPoint next = back(z);
-    if (!(norm(next) < norm(z))) return;  // On the boundary, up to rounding.
-    z = next;
+  const auto way = frame.walk(z);
+  if (!way) throw LimitError("a point is too far from the Dirichlet domain");
+  for (const std::uint32_t side : *way) {
+    const Move back = inverse(frame.pairings()[side]);
+    z = back(z);
     move = normalized(back * move);
   }
-  throw LimitError("a point is too far from the Dirichlet domain");
 }
 
 /// The square root of a complex number of modulus 1, up to the sign.

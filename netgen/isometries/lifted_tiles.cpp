@@ -1,7 +1,6 @@
 #include "netgen/isometries/lifted_tiles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -195,17 +194,12 @@ void ElementSearch::find_domain() {
   }
 }
 
-Word ElementSearch::way_to_domain(TileId tile, Complex<Mp1024>& point) const {
-  constexpr std::size_t kMostSteps = 100'000;
+Word ElementSearch::way_to_domain(TileId tile, const Complex<Mp1024>& point) const {
   Word way = path_between_tiles(tiles_.surface(), tile, domain_->tile());
-  point = domain_->from_tile()(isometry_of(tiles_.surface(), way)(point));
-  for (std::size_t step = 0; step < kMostSteps; ++step) {
-    const std::optional<std::uint32_t> side = domain_->side_towards(point);
-    if (!side) return way;
-    point = inverse(domain_->pairings()[*side])(point);
-    way = concatenated(tiles_.surface(), std::move(way), cell_sides_[*side].way);
-  }
-  throw LimitError("a point is more than " + std::to_string(kMostSteps) + " Dirichlet domains away");
+  const auto sides = domain_->walk(domain_->from_tile()(isometry_of(tiles_.surface(), way)(point)));
+  if (!sides) throw LimitError("a point is too far from the Dirichlet domain");
+  for (const std::uint32_t k : *sides) way = concatenated(tiles_.surface(), std::move(way), cell_sides_[k].way);
+  return way;
 }
 
 Word ElementSearch::Elements::word(const Element& element) const {
@@ -227,8 +221,7 @@ ElementSearch::Elements ElementSearch::elements(TileId tile, const Vector& point
   std::uint32_t home = 0;
   Isometry<Number> to_home;
   if (domain_) {
-    Complex<Mp1024> z = convert<Mp1024>(in_disk(point));
-    result.start_ = way_to_domain(tile, z);
+    result.start_ = way_to_domain(tile, convert<Mp1024>(in_disk(point)));
     to_home = convert<Number>(domain_->from_tile()) * tiles_.value(result.start_);
   } else {
     result.start_ = tiles_.walk(tile, point);

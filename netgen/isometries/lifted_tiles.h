@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -183,8 +182,8 @@ class ElementSearch {
   void add_tiles();
   /// The Dirichlet domain of the first vertex, if it is much smaller than some tile.
   void find_domain();
-  /// A path to the domain that contains a point, which becomes that in the domain's coordinates.
-  [[nodiscard]] Word way_to_domain(TileId tile, Complex<Mp1024>& point) const;
+  /// A path to the domain that contains a point, which is given in the coordinates of a tile.
+  [[nodiscard]] Word way_to_domain(TileId tile, const Complex<Mp1024>& point) const;
 
   LiftedTiles tiles_;
   double shortest_;

@@ -110,6 +110,17 @@ std::optional<std::uint32_t> DomainFrame::side_towards(const Complex<Mp1024>& z)
   return result;
 }
 
+std::optional<std::vector<std::uint32_t>> DomainFrame::walk(Complex<Mp1024> z) const {
+  constexpr std::size_t kMostSides = 10'000;
+  std::vector<std::uint32_t> result;
+  while (const std::optional<std::uint32_t> side = side_towards(z)) {
+    if (result.size() == kMostSides) return std::nullopt;
+    result.push_back(*side);
+    z = inverse(pairings_[*side])(z);
+  }
+  return result;
+}
+
 std::vector<BasePoint> farthest_points(const Surface& surface, const DirichletPolygon& polygon) {
   const DomainFrame frame(surface, polygon);
   std::vector<BasePoint> result;

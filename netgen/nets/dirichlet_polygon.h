@@ -86,6 +86,10 @@ class DomainFrame {
   /// if the point is in the domain.
   [[nodiscard]] std::optional<std::uint32_t> side_towards(const Complex<Mp1024>& z) const;
 
+  /// Returns the sides k₁, k₂, … by which side_towards leads from the domain to the one that contains a point: then
+  /// … γ_{k₂}⁻¹ γ_{k₁}⁻¹ takes the point into the domain. Nullopt if they are more than 10,000.
+  [[nodiscard]] std::optional<std::vector<std::uint32_t>> walk(Complex<Mp1024> z) const;
+
  private:
   TileId tile_;
   Isometry<Mp1024> from_tile_;

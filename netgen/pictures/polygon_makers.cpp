@@ -112,13 +112,10 @@ Axis moved(const Isometry<Mp1024>& by, const Axis& line) {
 
 /// The segments of a closed geodesic in a domain, one period from the place of a lift; nullopt if they are too many.
 std::optional<std::vector<Segment>> traced(const DomainFrame& frame, Axis line) {
-  constexpr int kMostSteps = 10'000;
   constexpr std::size_t kMostSegments = 1000;
-  int steps = 0;
-  for (auto side = frame.side_towards(line.place); side; side = frame.side_towards(line.place)) {
-    line = moved(inverse(frame.pairings()[*side]), line);
-    if (++steps == kMostSteps) return std::nullopt;
-  }
+  const auto crossed = frame.walk(line.place);
+  if (!crossed) return std::nullopt;
+  for (const std::uint32_t side : *crossed) line = moved(inverse(frame.pairings()[side]), line);
   Mp1024 rest = displacement_length(line.element);
   const Mp1024 tiny = ldexp(Mp1024(1), -80);
   std::vector<Segment> result;
