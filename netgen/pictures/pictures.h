@@ -50,6 +50,7 @@ struct PolygonPicture {
     std::string label;  ///< Beside each place.
     std::string colour;
     std::vector<Point> places;
+    double radius = 8;  ///< Of a dot, in thousandths of the width.
   };
   /// A disk about the centre of the picture.
   struct Disk {
@@ -94,7 +95,7 @@ struct PolygonPicture {
 [[nodiscard]] PolygonPicture picture_of(const certify::PantsDocument& pants);
 
 /// Returns the picture of the closed geodesics of a curves file, without those of its basis if there are others, cut by
-/// the domain of the surface's default point; at most 200.
+/// the domain of the surface's default point, with dots where they cross each other or themselves; at most 200.
 [[nodiscard]] PolygonPicture picture_of(const certify::CurvesDocument& curves);
 
 /// Returns the picture of where the bounds of a diameter, a radius or an embedded disk are attained. For a diameter the

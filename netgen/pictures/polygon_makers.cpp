@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <iomanip>
+#include <map>
 #include <optional>
 #include <queue>
 #include <sstream>
@@ -239,6 +241,49 @@ void add_cuffs(PolygonPicture& result, const Domain& domain, const certify::Pant
   add_named_curves(result, domain, cuffs, "cuffs");
 }
 
+/// Where two geodesic segments cross, or one ends on the other; nullopt also where both are on one line.
+std::optional<Complex<double>> crossing_of(const Segment& a, const Segment& b) {
+  constexpr double kTiny = 1e-9;  // Of a length in Klein coordinates; rounding is far smaller.
+  const auto cross = [](const Complex<double>& u, const Complex<double>& v) { return u.x * v.y - u.y * v.x; };
+  const Complex<double> from = to_klein(a[0]);
+  const Complex<double> along = to_klein(a[1]) - from;
+  const Complex<double> other = to_klein(b[1]) - to_klein(b[0]);
+  const Complex<double> between = to_klein(b[0]) - from;
+  const double area = cross(along, other);
+  if (std::abs(area) < 1e-6 * std::sqrt(norm(along) * norm(other))) return std::nullopt;
+  const double at = cross(between, other) / area;
+  const double there = cross(between, along) / area;
+  const auto is_inside = [](double share, const Complex<double>& way) {
+    const double margin = kTiny / std::sqrt(norm(way));
+    return share >= -margin && share <= 1 + margin;
+  };
+  if (!is_inside(at, along) || !is_inside(there, other)) return std::nullopt;
+  return from_klein(from + at * along);
+}
+
+/// Dots where the curves of a picture cross each other or themselves.
+void add_crossings(PolygonPicture& picture) {
+  constexpr std::size_t kMostSegments = 4000;
+  constexpr double kSame = 1e-7;
+  std::vector<Segment> segments;
+  for (const PolygonPicture::Curve& curve : picture.curves)
+    segments.insert(segments.end(), curve.segments.begin(), curve.segments.end());
+  if (segments.size() > kMostSegments) {
+    picture.left_out.emplace_back("where they cross: more than 4000 segments");
+    return;
+  }
+  std::map<std::pair<std::int64_t, std::int64_t>, Complex<double>> places;  // By place, rounded.
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto z = crossing_of(segments[i], segments[j]);
+      if (z) places.try_emplace({std::llround(z->x / kSame), std::llround(z->y / kSame)}, *z);
+    }
+  }
+  PolygonPicture::Mark mark{"where they cross", "", palette::kVertices, {}, 5};
+  for (const auto& [rounded, z] : places) mark.places.push_back(z);
+  if (!places.empty()) picture.marks.push_back(std::move(mark));
+}
+
 /// The curves of a file without its basis, or the basis if there are no others.
 void add_closed_curves(PolygonPicture& result, const Domain& domain, const certify::CurvesDocument& document) {
   std::vector<NamedCurve> curves;
@@ -250,6 +295,7 @@ void add_closed_curves(PolygonPicture& result, const Domain& domain, const certi
         {"curve " + std::to_string(i) + ", of length " + length_text(curve.length.upper), word_of_letters(curve.word)});
   }
   add_named_curves(result, domain, curves, "closed curves");
+  add_crossings(result);
 }
 
 /// What a legend says of geodesics first, …, first + count − 1.

@@ -9,6 +9,7 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
+#include "netgen/curves/closed_curves.h"
 #include "netgen/distances/distances.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/dirichlet_polygon.h"
@@ -259,6 +260,38 @@ TEST(FarthestPoints, AreWhereTheEccentricityIsAttained) {
       EXPECT_NO_THROW(require_on_surface(named.surface, q)) << named.name;
       const certify::Interval found = unproved::distance(named.surface, p, q).distance;
       EXPECT_NEAR(found.lower, certificate.enclosures->largest_circumradius.lower, 1e-10) << named.name;
+    }
+  }
+}
+
+/// Without symmetries no three geodesics meet in a point: there are as many dots as intersections.
+TEST(PolygonPicture, ClosedCurvesHaveADotAtEachCrossing) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::ring(3), seed));
+    const std::vector<Word> basis = CurveTopology(surface).homology_basis();
+    const auto product = [&](std::initializer_list<std::size_t> factors) {
+      Word word;
+      for (const std::size_t k : factors) word.insert(word.end(), basis[k].begin(), basis[k].end());
+      return word;
+    };
+    const std::vector<Word> words{product({0}), product({0, 1, 1, 2}), product({3, 5, 4, 0})};
+    const certify::CurvesDocument document = unproved::curves(surface, words);
+    const PolygonPicture picture = picture_of(document);
+    std::uint64_t crossings = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) crossings += document.curves[i].self_intersections;
+    for (const auto& pair : document.pairs)
+      if (pair.second < words.size()) crossings += pair.intersections;
+    ASSERT_GT(crossings, 3U);
+    ASSERT_EQ(picture.marks.size(), 1U);
+    EXPECT_EQ(picture.marks[0].places.size(), crossings);
+    for (const Point& z : picture.marks[0].places) {
+      const auto through = [&](const PolygonPicture::Segment& segment) {
+        return std::abs(distance(segment[0], z) + distance(z, segment[1]) - length_of(segment)) < 1e-6;
+      };
+      std::ptrdiff_t lines = 0;
+      for (const PolygonPicture::Curve& curve : picture.curves)
+        lines += std::count_if(curve.segments.begin(), curve.segments.end(), through);
+      EXPECT_EQ(lines, 2);
     }
   }
 }
