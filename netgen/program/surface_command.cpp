@@ -157,34 +157,6 @@ auto blaming_the_source(const std::string& file, const OfFile& of_file, const Ma
   }
 }
 
-/// Says which symmetries rounding may have taken away.
-void name_rounded_twists(const FenchelNielsen& coordinates) {
-  const std::vector<std::size_t> edges = rounded_symmetric_twists(coordinates);
-  if (edges.empty()) return;
-  std::cerr << "rounded: the twist";
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    std::cerr << (i == 0 ? (edges.size() > 1 ? "s of edges " : " of edge ") : ", ") << edges[i];
-  std::cerr << (edges.size() > 1 ? " are" : " is")
-            << " 0 or half of the length only up to 2^-50 lengths: reflections may be lost\n";
-}
-
-/// Says which symmetry of the coordinates the order of the edges may have taken away.
-void name_lost_symmetry(const FenchelNielsen& coordinates) {
-  const std::optional<std::vector<std::uint32_t>> images = symmetry_lost_by_order(coordinates);
-  if (!images) return;
-  constexpr std::size_t kMostNamed = 6;
-  std::cerr << "note: the pants graph, lengths and twists stay the same if edges";
-  std::size_t moved = 0;
-  for (std::size_t e = 0; e < images->size(); ++e) {
-    if ((*images)[e] == e || ++moved > kMostNamed) continue;
-    std::cerr << (moved == 1 ? " " : ", ") << e << " -> " << (*images)[e];
-  }
-  std::cerr
-      << (moved > kMostNamed ? ", ..." : "")
-      << " are exchanged, but the order of cuffs around pairs of pants does not: the surface may lack this symmetry, "
-         "and with another order of edges be another one (docs/fenchel-nielsen.md)\n";
-}
-
 /// Numbers that were divided at all commas: those in parentheses, as in root(f,r), belong to a number.
 std::vector<std::string> numbers_of(const std::vector<std::string>& pieces) {
   std::vector<std::string> result;
@@ -224,8 +196,7 @@ void make_fenchel_nielsen(const FenchelNielsenCommand& command) {
     }
     const FenchelNielsen coordinates = resolve(request);
     Surface made = fenchel_nielsen_surface(coordinates);
-    name_rounded_twists(coordinates);
-    name_lost_symmetry(coordinates);
+    for (const std::string& remark : symmetry_remarks(coordinates)) std::cerr << remark << '\n';
     return made;
   });
   write_surface_file(surface, command);

@@ -341,6 +341,29 @@ std::optional<std::vector<std::uint32_t>> symmetry_lost_by_order(const FenchelNi
   return LostSymmetrySearch(coordinates).find();
 }
 
+std::vector<std::string> symmetry_remarks(const FenchelNielsen& coordinates) {
+  std::vector<std::string> remarks;
+  if (const std::vector<std::size_t> edges = rounded_symmetric_twists(coordinates); !edges.empty()) {
+    std::string text = edges.size() > 1 ? "rounded: the twists of edges " : "rounded: the twist of edge ";
+    for (std::size_t i = 0; i < edges.size(); ++i) text += (i == 0 ? "" : ", ") + std::to_string(edges[i]);
+    remarks.push_back(text + (edges.size() > 1 ? " are" : " is") +
+                      " 0 or half of the length only up to 2^-50 lengths: reflections may be lost");
+  }
+  if (const std::optional<std::vector<std::uint32_t>> images = symmetry_lost_by_order(coordinates)) {
+    constexpr std::size_t kMostNamed = 6;
+    std::string text = "note: the pants graph, lengths and twists stay the same if edges";
+    std::size_t moved = 0;
+    for (std::size_t e = 0; e < images->size(); ++e) {
+      if ((*images)[e] == e || ++moved > kMostNamed) continue;
+      text += (moved == 1 ? " " : ", ") + std::to_string(e) + " -> " + std::to_string((*images)[e]);
+    }
+    remarks.push_back(text + (moved > kMostNamed ? ", ..." : "") +
+                      " are exchanged, but the order of cuffs around pairs of pants does not: the surface may lack "
+                      "this symmetry, and with another order of edges be another one (docs/fenchel-nielsen.md)");
+  }
+  return remarks;
+}
+
 Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
   check(coordinates);
   const PantsGraph& graph = coordinates.graph;

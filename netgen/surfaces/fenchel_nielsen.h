@@ -145,6 +145,9 @@ class CoordinateError : public SurfaceError {
 /// fenchel_nielsen_surface.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> symmetry_lost_by_order(const FenchelNielsen& coordinates);
 
+/// Says in a line each what both functions above find: symmetries of the coordinates that the surface may not have.
+[[nodiscard]] std::vector<std::string> symmetry_remarks(const FenchelNielsen& coordinates);
+
 /// Returns random coordinates on a graph: lengths uniform in [1, 4], twists uniform in [0, length). A seed gives the
 /// same coordinates on every machine.
 [[nodiscard]] FenchelNielsen random_coordinates(PantsGraph graph, std::uint64_t seed);

@@ -104,6 +104,12 @@ void bind_kinds(SurfaceClass& bound) {
           [](const Coordinates& request) {
             return interruptible([=] { return fenchel_nielsen_surface(request.coordinates); });
           },
+          py::arg("coordinates"))
+      .def_static(
+          "symmetry_remarks",
+          [](const Coordinates& request) {
+            return interruptible([=] { return symmetry_remarks(request.coordinates); });
+          },
           py::arg("coordinates"));
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 import decimal
 import json
 import random
+import warnings
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, Iterable, Optional, Sequence, Tuple, Type, TypeVar, Union
@@ -230,7 +231,8 @@ class Surface(Drawn, Immutable):
         ``graph``: edges, as [(0, 1), (0, 1), (0, 1)] or "0-1 0-1 0-1", of which the nodes are the pairs of pants; or "chain", "ring", "tree",
         "random" with a genus; the default for genus 2, where lengths and twists are given, is "theta", 0-1 0-1 0-1. Missing values are
         drawn with the seed. Lengths and twists of the surface differ from decimals by a factor within 1 ± 2⁻⁵⁰; twists by 0 and by half of
-        the length, and texts such as "2*arcosh(3/2)", "2*log(3)" or "arcosh(1+sqrt(2))", are exact (docs/fenchel-nielsen.md).
+        the length, and texts such as "2*arcosh(3/2)", "2*log(3)" or "arcosh(1+sqrt(2))", are exact (docs/fenchel-nielsen.md). A UserWarning
+        says which symmetries of the coordinates the surface may lack.
 
         >>> import epsnet
         >>> thin = epsnet.Surface.fenchel_nielsen(["1/1000", 1, 2], 0, [(0, 0), (0, 1), (1, 1)])
@@ -249,6 +251,8 @@ class Surface(Drawn, Immutable):
         genus = None if genus is None else as_index(genus, "genus")
         seed = None if seed is None else as_index(seed, "seed", 0, 2**64 - 1)
         coordinates = _epsnet.Coordinates(graph, genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
+        for remark in _epsnet.Surface.symmetry_remarks(coordinates):
+            warnings.warn(remark, stacklevel=2)
         name = f"fenchel_nielsen(genus={genus}, seed={seed})" if lengths is None and twists is None and graph in ("", "random") else ""
         return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates), name)
 

@@ -14,6 +14,14 @@ def test_a_seed_gives_the_same_surface():
     assert Surface.octagon(321) == Surface.octagon(seed=321) != Surface.octagon(322)
 
 
+def test_symmetries_that_the_order_of_cuffs_may_lose_are_a_warning(recwarn):
+    length, twist = "3.9359462488303282", "0.491993281103791025"  # Klein's quartic, if cuffs are in order.
+    Surface.fenchel_nielsen(length, twist, "0-1 0-2 1-3 0-3 1-2 2-3")
+    assert not recwarn
+    with pytest.warns(UserWarning, match="^note: the pants graph, lengths and twists stay the same if edges .* are exchanged"):
+        Surface.fenchel_nielsen(length, twist, "0-1 0-2 0-3 1-2 1-3 2-3")
+
+
 def test_tiles_and_gluing_make_the_surface_again(octagon, pants):
     for surface in (octagon, pants):
         assert Surface(surface.tiles, surface.gluing) == surface
