@@ -20,6 +20,7 @@
 #include "netgen/curves/mapping_class.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/eigenvalues/lattice.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"

@@ -8,6 +8,7 @@
 #include "certify/net/document.h"
 #include "netgen/base/options.h"
 #include "netgen/lifts/lifts.h"
+#include "netgen/surfaces/characters.h"
 #include "triangulation/surface/surface.h"
 
 /// Surfaces and nets in the text formats of other programs (docs/exchange-formats.md): CGAL's, exactly, in and out;
@@ -113,12 +114,6 @@ void write_edges(const certify::NetDocument& net, std::ostream& out);
 /// Writes tab-separated lines "u v left right length": the edges of a surface, each a pair of sides of tiles, in the
 /// order of their first sides: the vertices at both ends, the tiles on both sides, the hyperbolic length, rounded.
 void write_edges(const Surface& surface, std::ostream& out);
-
-/// The nodes of a graph on a surface.
-enum class GraphNodes {
-  vertices,  ///< Joined by edges.
-  faces,     ///< Tiles or triangles, joined where they have an edge in common.
-};
 
 /// Writes the adjacency matrix of the tiles of a surface as a symmetric integer MatrixMarket file: how many edges join
 /// two nodes. A loop counts twice, so sums of rows are degrees.

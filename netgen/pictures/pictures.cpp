@@ -155,8 +155,8 @@ class PolygonDrawing {
     for (const Point& z : mark.places) {
       const Point at = visible(z);
       out += "<circle cx=\"" + fixed(paper_.middle() + paper_.radius() * at.x, 1) + "\" cy=\"" +
-             fixed(paper_.middle() - paper_.radius() * at.y, 1) + "\" r=\"" + width(mark.radius) + "\" fill=\"" + mark.colour +
-             "\"/>\n";
+             fixed(paper_.middle() - paper_.radius() * at.y, 1) + "\" r=\"" + width(mark.radius) + "\" fill=\"" +
+             mark.colour + "\"/>\n";
       const double shift = 1.5 * kFont * unit_ / paper_.radius();
       if (!mark.label.empty()) out += text(at + Point{shift, shift}, mark.label, mark.colour);
     }

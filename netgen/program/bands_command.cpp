@@ -13,12 +13,14 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/eigenvalues/lattice.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/files.h"
 #include "netgen/surfaces/characters.h"
 
-/// The command bands: eigenvalues with phases along a path through the torus of characters, each point with its proof.
+/// The commands bands and lattice: eigenvalues with phases, of functions on the plane along a path through the torus of
+/// characters, each point with its proof; and of functions at the nodes of a graph.
 
 namespace epsnet::program {
 namespace {
@@ -229,6 +231,75 @@ void add_bands_command(CLI::App& app, Job& chosen) {
       "  epsnet bands s.json --between G,1/2:0:0:0,1/2:1/2:1/2:1/2,G --steps 10 -o bands.csv --svg bands.svg\n"
       "  epsnet bands s.json --path points.txt --count 8 --keep files && certify files/point-0.json");
   command->callback([&chosen, shared] { chosen = [shared] { find_bands(*shared); }; });
+}
+
+namespace {
+
+struct LatticeRequest {
+  std::string surface;
+  GraphNodes nodes = GraphNodes::vertices;
+  std::optional<std::string> phases;
+  std::string output;
+  bool json = false;
+};
+
+Report lattice_report(const HermitianMatrix& matrix, const std::vector<certify::Interval>& found) {
+  Report report;
+  std::ostringstream out;
+  out << "nodes: " << matrix.size << '\n';
+  Json rows = Json::array();
+  for (std::size_t first = 0, next = 0; first < found.size(); first = next) {
+    while (next < found.size() && found[next] == found[first]) ++next;
+    out << next - first << (next - first == 1 ? " eigenvalue in " : " eigenvalues in ") << to_string(found[first])
+        << '\n';
+    rows.push_back({{"in", interval_json(found[first])}, {"count", next - first}});
+  }
+  report.text = out.str();
+  report.json = {{"nodes", matrix.size}, {"eigenvalues", std::move(rows)}};
+  return report;
+}
+
+void find_lattice(const LatticeRequest& request) {
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::text}});
+  const Surface surface = read_surface_input(request.surface);
+  std::vector<Rational> turns;
+  if (request.phases) turns = parse_torus_point("--phases", *request.phases);
+  const HermitianMatrix matrix = lattice_matrix(surface, request.nodes, turns);
+  const Report report = lattice_report(matrix, eigenvalues(matrix));
+  write_output(request.output, [&](std::ostream& out) { write_matrix_market(matrix, out); });
+  write_report(report, request.json, is_stdout(request.output));
+}
+
+}  // namespace
+
+void add_lattice_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<LatticeRequest>();
+  CLI::App* command = app.add_subcommand(
+      "lattice",
+      "The graph of the tiles of a surface as a matrix, with phases a Hermitian one, and all of its eigenvalues in "
+      "intervals that epsnet proves: hyperbolic lattices.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  command
+      ->add_option(
+          "--nodes", shared->nodes,
+          "vertices of the tiles, joined by sides; or faces, the tiles, joined where they have a side in common")
+      ->transform(one_of<GraphNodes>({{"vertices", GraphNodes::vertices}, {"faces", GraphNodes::faces}}))
+      ->option_text("vertices|faces [vertices]");
+  command
+      ->add_option("--phases", shared->phases,
+                   "of functions f with f(gz) = c(g)f(z): the phases of c, 2g numbers of turns with commas between "
+                   "them, as for epsnet bands")
+      ->option_text("T,...");
+  add_file(*command, "-o,--output", shared->output,
+           "also write the matrix, for MatrixMarket (.mtx); \"-\" is standard output");
+  add_json(*command, shared->json);
+  command->footer(
+      "The matrix takes f to the sum of f over the neighbours of each node; a loop counts twice. At most 1500 nodes. "
+      "The proof is the program's own; no file has it.\n\n"
+      "Example:\n  epsnet surface named klein -o klein.json && epsnet lattice klein.json\n"
+      "  epsnet surface regular --genus 2 -o s.json\n"
+      "  epsnet lattice s.json --nodes faces --phases 0,1/3,0,1/2 -o matrix.mtx");
+  command->callback([&chosen, shared] { chosen = [shared] { find_lattice(*shared); }; });
 }
 
 }  // namespace epsnet::program

@@ -306,7 +306,7 @@ void add_commands(CLI::App& app, Job& chosen) {
         add_mapping_class_command, add_distance_command, add_distances_command, add_eccentricity_command,
         add_diameter_command, add_radius_command, add_embedded_disk_command}},
       {"Spectrum and symmetries",
-       {add_eigenvalues_command, add_bands_command, add_isometries_command, add_isometric_command,
+       {add_eigenvalues_command, add_bands_command, add_lattice_command, add_isometries_command, add_isometric_command,
         add_identify_command}},
       {"Files and pictures",
        {add_info_command, add_draw_command, add_view_command, add_export_command, add_convert_command,

@@ -105,6 +105,34 @@ double phase_of_word(const ById<SideId, Rational>& phases, const std::vector<std
   return static_cast<double>(reduced(sum));
 }
 
+std::vector<PhasedStep> phased_steps(const Surface& surface, GraphNodes nodes, const ById<SideId, Rational>& phases) {
+  std::vector<PhasedStep> result;
+  result.reserve(surface.side_count());
+  if (nodes == GraphNodes::faces) {
+    for (const SideId side : surface.side_ids()) {
+      result.push_back({surface.tile_of_side(side).number(), surface.tile_of_side(surface.partner(side)).number(),
+                        reduced(-phases[side])});
+    }
+    return result;
+  }
+  // By corner, the phase of the value that is 1 in the first tile with the vertex: around it, each side that is crossed
+  // adds its own.
+  ById<SideId, std::optional<Rational>> seen(surface.side_count());
+  for (const SideId first : surface.side_ids()) {
+    Rational turns = 0;
+    for (SideId corner = first; !seen[corner]; corner = surface.next_side(surface.partner(corner))) {
+      seen[corner] = turns;
+      turns += phases[corner];
+    }
+  }
+  for (const SideId side : surface.side_ids()) {
+    const SideId next = surface.next_side(side);
+    result.push_back(
+        {surface.vertex_class(side), surface.vertex_class(next), reduced(Rational(*seen[next] - *seen[side]))});
+  }
+  return result;
+}
+
 Rational parse_turns(std::string_view text) {
   const std::optional<Rational> value = text.size() <= kMostCharacters ? parse_decimal(text) : std::nullopt;
   if (!value) {

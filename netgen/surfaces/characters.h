@@ -36,6 +36,28 @@ class CharacterError : public Error {
 /// the sides are there.
 [[nodiscard]] double phase_of_word(const ById<SideId, Rational>& phases, const std::vector<std::uint32_t>& letters);
 
+/// The nodes of a graph on a surface.
+enum class GraphNodes {
+  vertices,  ///< Joined by edges.
+  faces,     ///< Tiles or triangles, joined where they have an edge in common.
+};
+
+/// A step along an edge of the graph of tiles: f(to), seen from the tile where the step starts, is e^{2πi·turns} times
+/// the value of f in the coordinates of `to`, divided by the same factor of `from`.
+struct PhasedStep {
+  std::uint32_t from;
+  std::uint32_t to;
+  Rational turns;  ///< In (−1/2, 1/2].
+};
+
+/// Returns the steps along all edges in both directions, by side of a tile: those of tiles across the side; those of
+/// vertices along it, from its start to its end. A function with f(γz) = χ(γ) f(z) at the nodes is a number for each of
+/// them, in the coordinates of the tile itself or of the first tile with the vertex. In these, the sum of f over the
+/// neighbours of a node is that of e^{2πi·turns} f(to) over its steps. `phases` are those of phases_of_sides.
+/// O(sides).
+[[nodiscard]] std::vector<PhasedStep> phased_steps(const Surface& surface, GraphNodes nodes,
+                                                   const ById<SideId, Rational>& phases);
+
 /// Reads a number of turns, a decimal or a fraction of at most 40 characters: "0.25", "-1/3". Throws CharacterError for
 /// any other text.
 [[nodiscard]] Rational parse_turns(std::string_view text);

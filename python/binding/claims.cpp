@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <complex>
 #include <iterator>
+#include <pybind11/complex.h>
 #include <stdexcept>
 
 #include "netgen/base/gmp.h"
@@ -8,6 +10,7 @@
 #include "netgen/curves/mapping_class.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/eigenvalues/lattice.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/nets/dirichlet_polygon.h"
@@ -256,6 +259,26 @@ void bind_eigenvalues(py::module_& module) {
     };
     return interruptible(search, callback);
   });
+  module.def("lattice_matrix", [](const Surface& surface, bool faces, const TorusPoint& turns) {
+    return interruptible(
+        [=] { return lattice_matrix(surface, faces ? GraphNodes::faces : GraphNodes::vertices, turns); });
+  });
+  py::class_<HermitianMatrix>(module, "HermitianMatrix")
+      .def_readonly("size", &HermitianMatrix::size)
+      .def_property_readonly("entries",
+                             [](const HermitianMatrix& self) {
+                               std::vector<std::tuple<std::uint32_t, std::uint32_t, std::complex<double>>> result;
+                               for (const auto& [row, column, value] : self.entries)
+                                 result.emplace_back(row, column, value);
+                               return result;
+                             })
+      .def_property_readonly("text",
+                             [](const HermitianMatrix& self) {
+                               std::ostringstream out;
+                               write_matrix_market(self, out);
+                               return out.str();
+                             })
+      .def("eigenvalues", [](const HermitianMatrix& self) { return interruptible([=] { return eigenvalues(self); }); });
   module.def("torus_path", &torus_path);
   module.def("character_sides", [](const Surface& surface) {
     std::vector<std::uint32_t> result;

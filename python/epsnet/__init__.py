@@ -50,7 +50,7 @@ from .eigenvalues import Bands, Eigenfunction, EigenvalueEnclosure, Eigenvalues
 from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
 from .files import certify, load
 from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicities, Multiplicity, Piece, Systole, ThickThin
-from .graphs import SurfaceGraph
+from .graphs import Lattice, SurfaceGraph
 from .groups import FundamentalGroup
 from .intervals import Interval, ends, mids
 from .isometries import Axis, ComplexInterval, Gaussian, Isometry
@@ -68,7 +68,7 @@ __version__: str = _epsnet.__version__
 __all__ = [
     "ArgumentError", "Axis", "Bands", "Certificate", "ClosedCurve", "ClosedCurves", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Curve", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
-    "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "LengthDerivatives", "Lifts", "LimitError", "Location", "MappingClass", "Multiplicities", "Multiplicity", "Net",
+    "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lattice", "LengthDerivatives", "Lifts", "LimitError", "Location", "MappingClass", "Multiplicities", "Multiplicity", "Net",
     "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole", "SystoleMaximum",
     "ThickThin", "UndecidedError", "certify", "ends", "errors", "load", "mids", "table",
 ]

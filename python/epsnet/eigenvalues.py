@@ -216,7 +216,7 @@ class Bands(Drawn, Immutable):
         return f"<Bands: {self._lower.shape[1]} at {len(self)} points>"
 
 
-def _torus_point(surface: "Surface", x: Any, name: str) -> List[Fraction]:
+def torus_point(surface: "Surface", x: Any, name: str) -> List[Fraction]:
     """2g numbers of turns."""
     point = [as_fraction(turns, name) for turns in as_items(x, name, "a sequence of numbers of turns")]
     sides = _epsnet.character_sides(surface._core)
@@ -226,14 +226,14 @@ def _torus_point(surface: "Surface", x: Any, name: str) -> List[Fraction]:
 
 
 def side_phases(surface: "Surface", phases: Sequence[Number]) -> Tuple[Fraction, ...]:
-    return tuple(_epsnet.phases_of_sides(surface._core, _torus_point(surface, phases, "phases")))
+    return tuple(_epsnet.phases_of_sides(surface._core, torus_point(surface, phases, "phases")))
 
 
 def bands(
     surface: "Surface", path: Iterable[Sequence[Number]], steps: int, count: int, digits: Optional[int], epsilon: Optional[Number], threads: int,
     progress: Progress
 ) -> Bands:
-    corners = [_torus_point(surface, corner, "path") for corner in as_items(path, "path", "a sequence of points")]
+    corners = [torus_point(surface, corner, "path") for corner in as_items(path, "path", "a sequence of points")]
     if not corners:
         refuse("at least one point", path, "path")
     points = _epsnet.torus_path(corners, as_index(steps, "steps", 1, 10000))
@@ -255,7 +255,7 @@ def eigenvalues(
         raise ArgumentError("not together with count", place="below")
     precision = None if digits is None else as_index(digits, "digits", 1, 10 if phases is None else 3)
     length = None if epsilon is None else length_text(epsilon, "epsilon")
-    point = [] if phases is None else _torus_point(surface, phases, "phases")
+    point = [] if phases is None else torus_point(surface, phases, "phases")
     threads = as_threads(threads)
     with Shower(progress) as callback:
         core, certificate = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, point, threads, callback)

@@ -1,16 +1,20 @@
-"""The graph of the tiles of a surface."""
+"""The graph of the tiles of a surface, and its matrices with phases: hyperbolic lattices."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 import numpy as np
+
+from . import _epsnet
+from ._arguments import Path, as_path
+from ._immutable import Immutable
+from .intervals import Interval
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from . import _epsnet
-
-__all__ = ["SurfaceGraph"]
+__all__ = ["Lattice", "SurfaceGraph"]
 
 
 class SurfaceGraph(NamedTuple):
@@ -54,3 +58,40 @@ def graph_of(core: "_epsnet.Surface") -> SurfaceGraph:
     edges: Any = np.array([ends[side][:2] for side in first], dtype=np.uint32)
     face_edges: Any = np.array([(ends[side][2], ends[core.partner(side)][2]) for side in first], dtype=np.uint32)
     return SurfaceGraph(core.vertex_count, edges, tuple(faces), face_edges)
+
+
+class Lattice(Immutable):
+    """The Hermitian matrix that takes a function at the nodes of a graph, with phases, to the sum of its values at the neighbours of each node."""
+
+    def __init__(self, core: "_epsnet.Surface", faces: bool, turns: list[Fraction]) -> None:
+        self._core = _epsnet.lattice_matrix(core, faces, turns)
+
+    @property
+    def size(self) -> int:
+        """The number of nodes."""
+        return self._core.size
+
+    def matrix(self) -> "NDArray[np.complex128]":
+        """The matrix, dense and read-only; ``scipy.sparse.csr_array(lattice.matrix())`` or ``save`` for sparse ones."""
+        result = np.zeros((self.size, self.size), dtype=np.complex128)
+        for row, column, value in self._core.entries:
+            result[column, row] = value.conjugate()
+            result[row, column] = value
+        result.flags.writeable = False
+        return result
+
+    def eigenvalues(self) -> list[Interval]:
+        """An interval for each eigenvalue, in increasing order, with multiplicity. The module alone proves them (docs/eigenvalues.md). LimitError for
+        more than 1500 nodes."""
+        return [Interval(*ends, proved=True) for ends in self._core.eigenvalues()]
+
+    def save(self, path: Path) -> None:
+        """Writes the matrix as a MatrixMarket file, which ``scipy.io.mmread`` reads."""
+        _epsnet.write_text(self._core.text.encode(), as_path(path))
+
+    def __repr__(self) -> str:
+        return f"<Lattice of {self.size} nodes>"
+
+
+def lattice(core: "_epsnet.Surface", nodes: str, turns: Optional[list[Fraction]]) -> Lattice:
+    return Lattice(core, nodes == "faces", turns or [])

@@ -22,9 +22,9 @@ from ._progress import Progress
 from .curves import ClosedCurves, Curve, curve, curves, fills
 from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
-from .eigenvalues import Bands, Eigenvalues, bands, eigenvalues, side_phases
+from .eigenvalues import Bands, Eigenvalues, bands, eigenvalues, side_phases, torus_point
 from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
-from .graphs import SurfaceGraph, graph_of
+from .graphs import Lattice, SurfaceGraph, graph_of, lattice
 from .groups import FundamentalGroup
 from .intervals import Interval
 from .isometries import Gaussian, Isometry
@@ -381,6 +381,20 @@ class Surface(Drawn, Immutable):
         ((0, 1, 2, 3, 4, 5, 6), array([0, 1], dtype=uint32), array([0, 1], dtype=uint32))
         """
         return graph_of(self._core)
+
+    def lattice(self, phases: Optional[Sequence[Number]] = None, *, nodes: str = "vertices") -> Lattice:
+        """The matrix of this graph for functions with f(γz) = χ(γ) f(z), χ given by ``phases`` as for ``bands``: at the vertices, or with ``nodes``
+        "faces" at the tiles, joined where they have a side in common. Without phases it is the adjacency matrix; a loop counts twice.
+
+        >>> import epsnet
+        >>> bolza = epsnet.Surface.regular(2)
+        >>> bolza.lattice(("1/3", 0, "1/2", 0)).matrix()
+        array([[-1.+0.j]])
+        >>> [round(value.mid, 6) for value in epsnet.Surface.named("klein").lattice(nodes="faces").eigenvalues()][::4]
+        [-2.645751, -2.645751, -1.0, -1.0, 2.645751, 2.645751]
+        """
+        turns = None if phases is None else torus_point(self, phases, "phases")
+        return lattice(self._core, as_choice(nodes, "nodes", ("vertices", "faces")), turns)
 
     def centre(self, tile: int = 0) -> Point:
         """A point with few digits, strictly inside a tile."""

@@ -621,6 +621,12 @@ printf '0 0 0 0 # the origin\n1/4:0:0:0\n\n.5,0,0,0\n' >path.txt
 good bands s.json --path path.txt --count 2 --digits 1 -o same.csv --json
 same bands.csv same.csv
 says '"phases":\["1/4","0","0","0"\]'
+good lattice s.json --nodes faces --phases 1/3,0,1/2,0 -o lattice.mtx
+says '^1 eigenvalue in \[0\.99'
+head -n 1 lattice.mtx | grep -q '^%%MatrixMarket matrix coordinate ' || complain "the matrix of a lattice: $(head -n 1 lattice.mtx)"
+json '^{"nodes":1,"eigenvalues":\[{"in":\[7\.99[0-9]*,8\.00[0-9]*\],"count":1}\]}$' lattice s.json --json
+bad 1 '^epsnet: 1 phase found, expected 4, those of the sides 0, 1, 2, 3$' lattice s.json --phases 1/2
+bad 64 '^epsnet: lattice: --nodes: expected one of vertices, faces, not "edges"' lattice s.json --nodes edges
 bad 64 '^epsnet: which points? Either --between or --path is needed$' bands s.json
 bad 64 '^epsnet: bands: --between excludes --path' bands s.json --path path.txt --between G
 bad 1 '^epsnet: --between: expected 4 phases for each point, not 1$' bands s.json --between G,1/2

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "certify/check.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/eigenvalues/elements.h"
+#include "netgen/eigenvalues/lattice.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/characters.h"
@@ -490,6 +492,96 @@ TEST(Bands, ArePicturesOfAllIntervals) {
   EXPECT_EQ(count(">&lt;X"), 1U);
   EXPECT_EQ(count("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"500\" height=\"310\""), 1U);
   EXPECT_FALSE(draw_svg(BandsPicture{}).empty());
+}
+
+// Lattices.
+
+/// Functions at the nodes of a cover are sums of one with the phases of each power of χ.
+TEST(Lattice, EigenvaluesOfAllPowersAreThoseOfACyclicCover) {
+  for (const auto& [name, surface] : {std::pair("octagon", octagon()), std::pair("Bolza", bolza()),
+                                      std::pair("Klein", klein()), std::pair("genus 3", of_genus(3))}) {
+    for (const int n : {2, 3, 5}) {
+      TorusPoint turns = one_phase(surface, Rational(1, n));
+      turns[1] = Rational(-1, n);
+      turns.back() = Rational(2, n);
+      for (const GraphNodes nodes : {GraphNodes::vertices, GraphNodes::faces}) {
+        std::vector<Interval> of_powers;
+        for (int power = 0; power < n; ++power) {
+          const auto found = eigenvalues(lattice_matrix(surface, nodes, times(turns, power)));
+          of_powers.insert(of_powers.end(), found.begin(), found.end());
+        }
+        const std::vector<Interval> of_cover = eigenvalues(lattice_matrix(cyclic_cover(surface, turns, n), nodes));
+        ASSERT_EQ(of_powers.size(), of_cover.size());
+        expect_equal(of_powers, of_cover, name + (" " + std::to_string(n)));
+      }
+    }
+  }
+}
+
+/// The Möbius–Kantor graph, of the 16 triangles of the map R2.1, and the Klein graphs.
+TEST(Lattice, EigenvaluesOfKnownGraphs) {
+  const auto expect = [](const std::string& name, GraphNodes nodes, const std::vector<std::pair<double, int>>& known) {
+    const auto found = eigenvalues(lattice_matrix(named_surface(name), nodes));
+    std::size_t k = 0;
+    for (const auto& [value, count] : known) {
+      for (int i = 0; i < count; ++i, ++k) {
+        ASSERT_LT(k, found.size());
+        EXPECT_LE(found[k].lower, value) << name;
+        EXPECT_GE(found[k].upper, value) << name;
+        EXPECT_LT(found[k].upper - found[k].lower, 1e-8) << name;
+      }
+    }
+    EXPECT_EQ(k, found.size()) << name;
+  };
+  const double root = std::sqrt(3.0);
+  expect("R2.1", GraphNodes::faces, {{-3, 1}, {-root, 4}, {-1, 3}, {1, 3}, {root, 4}, {3, 1}});
+  expect("klein", GraphNodes::faces, {{-std::sqrt(7.0), 8}, {-1, 7}, {std::sqrt(7.0), 8}, {7, 1}});
+}
+
+/// Another lift of χ to phases, by integers, changes nothing; conjugate phases give the conjugate matrix.
+TEST(Lattice, DependsOnTheCharacterAlone) {
+  for (const GraphNodes nodes : {GraphNodes::vertices, GraphNodes::faces}) {
+    const HermitianMatrix one = lattice_matrix(klein(), nodes, point({"1/3", "0.3", "0", "-1/7", "1/2", "1/4"}));
+    const HermitianMatrix same = lattice_matrix(klein(), nodes, point({"4/3", "-0.7", "1", "6/7", "-1/2", "5/4"}));
+    const HermitianMatrix conjugate =
+        lattice_matrix(klein(), nodes, point({"-1/3", "-0.3", "0", "1/7", "1/2", "-1/4"}));
+    ASSERT_EQ(one.entries.size(), same.entries.size());
+    ASSERT_EQ(one.entries.size(), conjugate.entries.size());
+    for (std::size_t k = 0; k < one.entries.size(); ++k) {
+      EXPECT_EQ(one.entries[k].value, same.entries[k].value);
+      EXPECT_EQ(std::conj(one.entries[k].value), conjugate.entries[k].value);
+      EXPECT_NEAR(std::abs(one.entries[k].value), 1, 1e-15);
+    }
+    EXPECT_EQ(eigenvalues(one), eigenvalues(conjugate));
+  }
+}
+
+/// Of one octagon: the sum over its four pairs of sides of 2 cos 2πθ.
+TEST(Lattice, OfOneTileIsANumber) {
+  const HermitianMatrix matrix = lattice_matrix(bolza(), GraphNodes::faces, point({"1/3", "0", "1/2", "1/8"}));
+  ASSERT_EQ(matrix.entries.size(), 1U);
+  EXPECT_NEAR(matrix.entries[0].value.real(), -1 + 2 - 2 + std::sqrt(2.0), 1e-14);
+  EXPECT_EQ(matrix.entries[0].value.imag(), 0);
+  std::ostringstream integers, complex;
+  write_matrix_market(lattice_matrix(bolza(), GraphNodes::faces), integers);
+  EXPECT_EQ(integers.str(), "%%MatrixMarket matrix coordinate integer symmetric\n1 1 1\n1 1 8\n");
+  write_matrix_market({.size = 2, .entries = {{1, 0, {0.5, -2}}}}, complex);
+  EXPECT_EQ(complex.str(), "%%MatrixMarket matrix coordinate complex hermitian\n2 2 1\n2 1 0.5 -2\n");
+}
+
+/// What is proved allows for the error of the matrix, and for its size.
+TEST(Lattice, IntervalsContainTheErrorOfTheMatrix) {
+  const HermitianMatrix matrix{.size = 2, .entries = {{0, 0, 1}, {1, 0, {0, 1}}, {1, 1, 1}}, .error = 1e-9};
+  const std::vector<Interval> found = eigenvalues(matrix);  // 0 and 2.
+  ASSERT_EQ(found.size(), 2U);
+  for (const double k : {0, 1}) {
+    EXPECT_LE(found[static_cast<std::size_t>(k)].lower, 2 * k - 1e-9);
+    EXPECT_GE(found[static_cast<std::size_t>(k)].upper, 2 * k + 1e-9);
+    EXPECT_LT(found[static_cast<std::size_t>(k)].upper, 2 * k + 1e-7);
+  }
+  EXPECT_THROW((void)eigenvalues(HermitianMatrix{.size = 1, .entries = {{0, 0, 1}}, .error = 1e-3}), LimitError);
+  EXPECT_THROW((void)eigenvalues(HermitianMatrix{.size = 1501}), LimitError);
+  EXPECT_THROW((void)lattice_matrix(bolza(), GraphNodes::faces, point({"1/2"})), CharacterError);
 }
 
 }  // namespace
