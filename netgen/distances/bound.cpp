@@ -4,6 +4,7 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <optional>
 #include <queue>
 #include <stdexcept>
 #include <string>
@@ -39,7 +40,7 @@ Point centre_of(const PlacedTriangle& triangle) {
   return unit(triangle.corner[0] + triangle.corner[1] + triangle.corner[2]);
 }
 
-/// Whether the greatest value is sought, or assumed to be that at the vertex of the base.
+/// Whether the greatest value is sought, or compared with that at the vertex of the base.
 enum class Climb { yes, no };
 
 /// What one search is for.
@@ -310,10 +311,10 @@ class PartSearch {
     std::uint32_t first_part = 0;     ///< The number of its first part; the second follows.
   };
 
-  /// Returns the function at a point where the triangulation is Delaunay.
+  /// Evaluates the function at a point where the triangulation is Delaunay.
   void look_at(const Site& site) {
     const double value = value_at(goal_.claim, sites_, site);
-    raise(value);
+    if (goal_.climb == Climb::yes) raise(value);
     if (value <= found_) return;
     found_ = value;
     summit_ = site.point;
@@ -349,7 +350,7 @@ class PartSearch {
       const std::optional<Site> site = sites_.moved(near, middle.point);
       if (!site) continue;
       const PlacedTriangulation there = sites_.placed(site->triangulation, site->frame, site->point);
-      if (goal_.climb == Climb::yes) look_at(*site);
+      look_at(*site);
       if (!there.is_strictly_delaunay()) continue;
       // sinh²(d/2) of the distance to the farthest corner.
       const auto farthest = static_cast<double>(Number((std::max(middle.half, middle.median) - 1) / 2));
@@ -377,7 +378,7 @@ class PartSearch {
         best.value > highest_ + goal_.width ? sites_.moved(near, centre) : std::nullopt;
     if (own_site) {
       cell.site = *own_site;
-      if (goal_.climb == Climb::yes) look_at(cell.site);
+      look_at(cell.site);
       if (cell.site.triangulation != near.triangulation) {
         const Bound own = bound(cell.place, frame, cell.site.triangulation);
         if (own.value < best.value) {
@@ -393,7 +394,7 @@ class PartSearch {
 
   /// Cuts a cell at the midpoint of its longest edge.
   void cut(std::uint32_t number) {
-    const Place place = cells_[number].place;
+    const Place& place = cells_[number].place;
     const std::uint32_t edge = place.longest_side();
     const std::uint32_t end = (edge + 1) % 3;
     const std::uint32_t far = (edge + 2) % 3;
@@ -415,7 +416,7 @@ class PartSearch {
 
   Goal goal_;
   Sites sites_;
-  std::vector<Cell> cells_;
+  std::deque<Cell> cells_;                                       ///< Large; they stay where they are.
   std::priority_queue<std::pair<double, std::uint32_t>> queue_;  ///< Cells that are not cut, by bound.
   double highest_ = -std::numeric_limits<double>::infinity();
   double found_ = -std::numeric_limits<double>::infinity();
@@ -445,10 +446,11 @@ class BoundSearch {
     share();
   }
 
-  /// Cuts cells until the bounds are as near to each other as wanted, or a limit is reached.
+  /// Cuts cells until the bounds are as near to each other as wanted, a limit is reached, or the vertex of the base is
+  /// not where the greatest value is.
   void run() {
     double first_gap = 0;
-    while (!is_narrow() && !at_limit()) {
+    while (!is_narrow() && !at_limit() && !is_greater_elsewhere()) {
       round();
       if (first_gap == 0 && std::isfinite(upper())) first_gap = upper() - lower();
       if (options_.progress && first_gap > 0) {
@@ -467,6 +469,11 @@ class BoundSearch {
                    std::to_string(elements()) + " edges of triangulations, only by " + to_string(found));
   }
 
+  /// Whether a value was found that is too great to be assumed at the vertex of the base.
+  [[nodiscard]] bool is_greater_elsewhere() const {
+    return goal_.climb == Climb::no && best().found() > at_vertex_ + goal_.width / 2;
+  }
+
   [[nodiscard]] double lower() const { return parts_.front().lower(); }
   [[nodiscard]] double upper() const {
     double result = parts_.front().upper();
@@ -474,11 +481,7 @@ class BoundSearch {
     return result;
   }
   /// Where the greatest value was found, in the chart of the base's vertex.
-  [[nodiscard]] const Point& summit() const {
-    const auto best = std::max_element(parts_.begin(), parts_.end(),
-                                       [](const PartSearch& a, const PartSearch& b) { return a.found() < b.found(); });
-    return best->found() > at_vertex_ ? best->summit() : vertex_;
-  }
+  [[nodiscard]] const Point& summit() const { return best().found() > at_vertex_ ? best().summit() : vertex_; }
 
   /// The cells and the triangulations that they use.
   void describe(BoundDocument& document) const {
@@ -494,6 +497,11 @@ class BoundSearch {
   }
 
  private:
+  /// The part that found the greatest value.
+  [[nodiscard]] const PartSearch& best() const {
+    return *std::max_element(parts_.begin(), parts_.end(),
+                             [](const PartSearch& a, const PartSearch& b) { return a.found() < b.found(); });
+  }
   [[nodiscard]] std::size_t cells() const {
     std::size_t result = 0;
     for (const PartSearch& part : parts_) result += part.cells();
@@ -621,15 +629,17 @@ certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
 BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim, const BoundOptions& options) {
   if (!(options.width >= kLeastBoundWidth)) throw std::invalid_argument("the width is less than 1e-12");
   Triangulation base = delaunay_start_of_point(surface, std::nullopt).triangulation;
-  {
-    // What it finds is good enough if the second search succeeds, whatever this one is short of.
-    BoundSearch search(base, {claim, Climb::yes, options.width / 2}, options);
-    search.run();
-    base = delaunay_near(surface, base, search.summit(), options.width);
+  // What a coarse search finds is good enough if the fine one succeeds, whatever the coarse one is short of.
+  std::optional<BoundSearch> search(std::in_place, base, Goal{claim, Climb::yes, 2 * options.width}, options);
+  search->run();
+  constexpr int kMostBases = 20;
+  for (int bases = 0; bases == 0 || (search->is_greater_elsewhere() && bases < kMostBases); ++bases) {
+    // Each time but the first, the value at the vertex is greater by half of the width.
+    base = delaunay_near(surface, base, search->summit(), options.width);
+    search.emplace(base, Goal{claim, Climb::no, options.width * (1 - 1e-3)}, options);
+    search->run();
   }
-  BoundSearch search(base, {claim, Climb::no, options.width * (1 - 1e-3)}, options);
-  search.run();
-  search.require_narrow();
+  search->require_narrow();
   BoundDocument document;
   document.claim = claim;
   document.net = net_above_eccentricity(base);
@@ -639,14 +649,14 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
   if (claim == BoundDocument::Claim::radius) {
     const double proved = certificate.enclosures->largest_circumradius.upper;
     // The bound of a cell is a difference of two lengths, each at most the diameter.
-    document.value = {-search.upper() - 4 * kRounding * proved, std::max(-search.lower() * (1 + kRounding), proved)};
-    search.describe(document);
+    document.value = {-search->upper() - 4 * kRounding * proved, std::max(-search->lower() * (1 + kRounding), proved)};
+    search->describe(document);
     return document;
   }
   const double proved = claim == BoundDocument::Claim::diameter ? certificate.enclosures->largest_circumradius.lower
                                                                 : certificate.enclosures->shortest_loop->lower / 2;
-  document.value = {std::min(search.lower() * (1 - kRounding), proved), search.upper() * (1 + kRounding)};
-  search.describe(document);
+  document.value = {std::min(search->lower() * (1 - kRounding), proved), search->upper() * (1 + kRounding)};
+  search->describe(document);
   return document;
 }
 
