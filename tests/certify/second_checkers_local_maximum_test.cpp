@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -236,6 +237,23 @@ TEST(LocalMaximum, LongerGeodesicsMayFollow) {
   EXPECT_GT(verified, 0);
 }
 
+/// Whatever the weights, nothing is said of what a list of other geodesics would prove.
+TEST(LocalMaximum, IsAskedAboutWhenTheShortestGeodesicsAreKnown) {
+  const GeodesicsDocument good = load("bolza-maximum");
+  for (std::uint32_t gone = 0; gone < 12; ++gone) {
+    if (std::find(good.basis.begin(), good.basis.end(), gone) != good.basis.end()) continue;
+    GeodesicsDocument document = good;
+    document.geodesics.erase(document.geodesics.begin() + gone);
+    document.clusters[0].count = 11;
+    for (std::uint32_t& element : document.basis) element -= element > gone ? 1 : 0;
+    document.weights.pop_back();
+    const certify::Certificate certificate = certify::check(document, {.threads = 2, .max_precision = 128});
+    EXPECT_EQ(certificate.rule, "complete");
+    EXPECT_EQ(certificate.rules.back().rule, "maximal");
+    EXPECT_EQ(certificate.rules.back().verdict, Verdict::undecided);
+  }
+}
+
 TEST(LocalMaximum, ShortestGeodesicsAreOfExactlyEqualLengthAndAllThere) {
   const GeodesicsDocument good = load("bolza-maximum");
   GeodesicsDocument document = good;
@@ -265,6 +283,29 @@ TEST(LocalMaximum, ShortestGeodesicsAreOfExactlyEqualLengthAndAllThere) {
   document = good;
   document.up_to = "3.05";
   EXPECT_EQ(outcome(document), "REFUTED: geodesics");
+}
+
+TEST(LocalMaximum, BasisAndWeightsAreThoseOfTheFormatForBothCheckers) {
+  const GeodesicsDocument good = load("bolza-maximum");
+  const auto expect_malformed = [&](const auto& change) {
+    GeodesicsDocument document = good;
+    change(document);
+    EXPECT_EQ(certify::check(document, {.threads = 1}).verdict, Verdict::malformed);
+    std::ostringstream out;
+    certify::write_file(document, out);
+    EXPECT_EQ(check(out.str()).verdict, exact::Verdict::malformed);
+  };
+  expect_malformed([](auto& document) { document.clusters[0].equal = false; });
+  expect_malformed([](auto& document) { document.basis = {0, 1, 2, 3, 4}, document.weights.push_back(1); });
+  expect_malformed([](auto& document) { document.basis = {0, 1, 2, 3, 4, 5, 6}, document.weights.pop_back(); });
+  expect_malformed([](auto& document) { document.basis = {0, 1, 2, 3, 3, 5}; });
+  expect_malformed([](auto& document) { document.basis = {0, 1, 2, 4, 3, 5}; });
+  expect_malformed([](auto& document) { document.basis = {0, 1, 2, 3, 4, 12}; });
+  expect_malformed([](auto& document) { document.weights.push_back(1); });
+  expect_malformed([](auto& document) { document.weights.pop_back(); });
+  expect_malformed([](auto& document) { document.weights[2] = 0; });
+  expect_malformed([](auto& document) { document.up_to = "0"; });
+  expect_malformed([](auto& document) { document.up_to = "-1"; });
 }
 
 TEST(LinearEquations, HaveTheSolutionThatTheyAreMadeOf) {
