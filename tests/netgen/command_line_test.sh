@@ -427,6 +427,9 @@ good surface matrices field.json -o same.json
 says 'exactly that of the matrices'
 good isometric regular.json same.json
 says 'isometric: yes'
+good local-maximum same.json -o maximum.json
+says '^a local maximum of the systole: 12 shortest closed geodesics of length'
+verified maximum.json
 sed 's/"tiles"/"-"/; s/"generators"/"--"/; s/"rounded"/"generators"/' field.json >decimals.json
 good surface matrices decimals.json -o same.json
 says 'the nearest exact one; entries differ by at most'
