@@ -17,6 +17,7 @@
 #include "netgen/base/options.h"
 #include "netgen/curves/closed_curves.h"
 #include "netgen/curves/lengths.h"
+#include "netgen/curves/local_maximum.h"
 #include "netgen/curves/mapping_class.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"

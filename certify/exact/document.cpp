@@ -274,15 +274,22 @@ bool read_bool(const Json& value) {
 
 /// What a list of geodesics has, whatever else is in the file.
 GeodesicsDocument read_list(const Json& root, GeodesicsDocument::Claim claim, Words& words) {
-  GeodesicsDocument document{
-      .claim = claim, .net = read_whole_net(root, words), .up_to = {}, .geodesics = {}, .clusters = {}, .pieces = {}};
+  using enum GeodesicsDocument::Claim;
+  GeodesicsDocument document{.claim = claim,
+                             .net = read_whole_net(root, words),
+                             .up_to = {},
+                             .geodesics = {},
+                             .clusters = {},
+                             .pieces = {},
+                             .basis = {},
+                             .weights = {}};
   for (const Json& row : array(member(root, "geodesics"), "geodesics")) {
     expect_members(row, {"vertex", "word", "length", "simple"});
     document.geodesics.push_back({to_index(member(row, "vertex")), words.read(member(row, "word")),
                                   read_length(member(row, "length"), "a length"), read_bool(member(row, "simple"))});
   }
-  if (claim == GeodesicsDocument::Claim::systole) return document;
-  if (claim == GeodesicsDocument::Claim::spectrum) document.up_to = to_decimal(member(root, "up_to"));
+  if (claim == systole) return document;
+  if (claim != thick_thin) document.up_to = to_decimal(member(root, "up_to"));
   for (const Json& row : array(member(root, "clusters"), "clusters")) {
     expect_members(row, {"first", "count", "equal"});
     document.clusters.push_back(
@@ -424,6 +431,13 @@ GeodesicsDocument read_geodesics(const Json& root) {
     expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters"});
     return read_list(root, spectrum, words);
   }
+  if (is_text(claim, "local-maximum")) {
+    expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters", "basis", "weights"});
+    GeodesicsDocument document = read_list(root, local_maximum, words);
+    document.basis = read_indices(member(root, "basis"), "basis");
+    document.weights = read_indices(member(root, "weights"), "weights");
+    return document;
+  }
   if (is_text(claim, "thick-thin")) {
     expect_members(root, {"format", "version", "claim", "net", "geodesics", "clusters", "pieces"});
     GeodesicsDocument document = read_list(root, thick_thin, words);
@@ -507,7 +521,9 @@ ComparisonDocument read_comparison(const Json& root) {
                              .up_to = {},
                              .geodesics = {},
                              .clusters = {},
-                             .pieces = {}};
+                             .pieces = {},
+                             .basis = {},
+                             .weights = {}};
   };
   if (is_text(claim, "isometric")) {
     expect_members(

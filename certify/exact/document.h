@@ -166,14 +166,16 @@ struct Piece {
 };
 
 struct GeodesicsDocument {
-  enum class Claim { systole, spectrum, thick_thin };
+  enum class Claim { systole, spectrum, thick_thin, local_maximum };
 
   Claim claim;
   Net net;
-  mpq_class up_to;  ///< Of a spectrum.
+  mpq_class up_to;  ///< Of a spectrum or a local maximum.
   std::vector<ClosedGeodesic> geodesics;
   std::vector<Cluster> clusters;  ///< Unless it is a systole.
   std::vector<Piece> pieces;      ///< Of a thick-thin decomposition.
+  std::vector<Index> basis;       ///< Of a local maximum,
+  std::vector<Index> weights;     ///< and of those of the first cluster that are not in the basis.
 };
 
 using Range = std::array<mpq_class, 2>;

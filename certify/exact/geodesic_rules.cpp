@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "certify/exact/claim_rules.h"
+#include "certify/exact/linear_equations.h"
 
 namespace epsnet::exact {
 namespace {
@@ -227,6 +228,25 @@ void expect_sides(const GeodesicsDocument& document) {
   if (sides.size() != 2 * document.geodesics.size()) throw Malformed("pieces: a side is missing");
 }
 
+/// Of a local maximum: the first run is one of equal lengths; some of it, in order, as many as there are coordinates of
+/// surfaces; and a weight for each other one.
+void expect_basis(const GeodesicsDocument& document) {
+  if (document.clusters.empty() || !document.clusters[0].equal) throw Malformed("clusters: the first are not equal");
+  const Index shortest = document.clusters[0].count;
+  // 2 - 2g is the number of vertices less half that of triangles.
+  if (2 * document.basis.size() + 6 * document.net.vertices.size() != 3 * document.net.triangles.size()) {
+    throw Malformed("basis: not 6g - 6 geodesics");
+  }
+  for (std::size_t k = 0; k < document.basis.size(); ++k) {
+    expect_less(document.basis[k], shortest, "geodesic of the basis");
+    if (k > 0 && document.basis[k] <= document.basis[k - 1]) throw Malformed("basis: not in order");
+  }
+  if (document.basis.size() + document.weights.size() != shortest) throw Malformed("weights: not one for each other");
+  for (const Index weight : document.weights) {
+    if (weight == 0) throw Malformed("weights: one is 0");
+  }
+}
+
 /// In one order, whatever that of the file.
 std::vector<Piece> sorted(std::vector<Piece> pieces) {
   for (Piece& piece : pieces) std::sort(piece.boundaries.begin(), piece.boundaries.end());
@@ -250,9 +270,10 @@ GeodesicRules<R>::GeodesicRules(const GeodesicsDocument& document, NetRules<R>& 
   if (document.claim == Claim::systole) {
     if (rows.size() != 1 || rows[0].length[1] >= 2 * rows[0].length[0]) throw Malformed("not one systole");
   } else {
-    if (document.claim == Claim::spectrum && document.up_to <= 0) throw Malformed("up_to is not positive");
+    if (!is_thick_thin() && document.up_to <= 0) throw Malformed("up_to is not positive");
     expect_runs(document);
     if (is_thick_thin()) expect_sides(document);
+    if (document.claim == Claim::local_maximum) expect_basis(document);
   }
 }
 
@@ -265,6 +286,7 @@ std::vector<Rule> GeodesicRules<R>::rules() {
   if (is_list) rules.push_back({"equal", [this] { check_equal(); }});
   rules.push_back({"complete", [this] { check_complete(); }});
   if (is_thick_thin()) rules.push_back({"pieces", [this] { check_pieces(); }});
+  if (document_.claim == Claim::local_maximum) rules.push_back({"maximal", [this] { check_maximal(); }});
   return rules;
 }
 
@@ -293,7 +315,9 @@ void GeodesicRules<R>::check_lengths() {
     lengths_.emplace_back(elements_.back());
     expect_less(i, row.length[0], false);
     expect_less(i, row.length[1], true);
-    if (document_.claim == Claim::spectrum) expect_less(i, document_.up_to, true);
+    if (document_.claim == Claim::spectrum || document_.claim == Claim::local_maximum) {
+      expect_less(i, document_.up_to, true);
+    }
     if (is_thick_thin() && !is_small(lengths_[i])) throw Refutation{name(i) + " is longer than 2 arsinh 1"};
   }
 }
@@ -394,6 +418,68 @@ void GeodesicRules<R>::check_pieces() {
   std::string text = "the pieces are, with their genera and boundaries:";
   for (const Piece& piece : found) text += " (" + number(piece.genus) + ", " + number(piece.boundaries.size()) + ")";
   throw Refutation{text};
+}
+
+template <class R>
+void GeodesicRules<R>::check_maximal() {
+  const std::vector<std::vector<Interval>> derivatives = twist_derivatives();
+  std::vector<std::vector<Interval>> of_basis;
+  std::vector<Interval> of_others;
+  for (const std::vector<Interval>& row : derivatives) {
+    of_basis.emplace_back();
+    of_others.emplace_back(0);
+    auto weight = document_.weights.begin();
+    for (Index j = 0; j < row.size(); ++j) {
+      if (std::binary_search(document_.basis.begin(), document_.basis.end(), j)) {
+        of_basis.back().push_back(row[j]);
+      } else {
+        of_others.back() = of_others.back() - Interval(static_cast<long>(*weight++)) * row[j];
+      }
+    }
+  }
+  const auto weights = solution(std::move(of_basis), std::move(of_others));
+  if (!weights) give_up("whether the gradients of the basis span is not decided by the digits used");
+  for (std::size_t k = 0; k < weights->size(); ++k) {
+    if (is_less(Interval(0), (*weights)[k]) != Answer::no) continue;
+    throw Refutation{name(document_.basis[k]) + " has a weight that is not positive"};
+  }
+  for (const Interval& weight : *weights) {
+    if (is_less(Interval(0), weight) != Answer::yes) give_up("whether a weight is positive is not decided");
+  }
+}
+
+template <class R>
+std::vector<std::vector<Interval>> GeodesicRules<R>::twist_derivatives() {
+  struct Near {
+    Index geodesic;
+    std::size_t loop;
+  };
+  std::map<Index, std::vector<Near>> near;
+  for (Index j = 0; j < document_.clusters[0].count; ++j) {
+    for (const std::size_t i : loops().members(loops().representative(listed_[j]))) {
+      if (loops().is_near_axis(i)) near[loops().all()[i].vertex].push_back({j, i});
+    }
+  }
+  std::vector<std::vector<Interval>> result(document_.basis.size(), std::vector<Interval>(document_.clusters[0].count));
+  for (const auto& [vertex, elements] : near) {
+    for (const Near& x : elements) {
+      const auto row = std::lower_bound(document_.basis.begin(), document_.basis.end(), x.geodesic);
+      if (row == document_.basis.end() || *row != x.geodesic) continue;
+      const Motion& f = loops().all()[x.loop].g;
+      const Vector m = axis_normal(f);
+      for (const Near& y : elements) {
+        if (y.geodesic == x.geodesic) continue;
+        const Motion& g = loops().all()[y.loop].g;
+        const Vector n = axis_normal(g);
+        const Interval product = lorentz_product(m, n);
+        const Interval squares = squared_half_length(f) * squared_half_length(g);
+        if (!decided(is_less(square(product), squares), "whether two axes cross")) continue;
+        const bool to_right = decided(is_less(m[0] * n[1], m[1] * n[0]), "from which side one axis crosses another");
+        result[static_cast<std::size_t>(row - document_.basis.begin())][y.geodesic] = to_right ? -product : product;
+      }
+    }
+  }
+  return result;
 }
 
 template <class R>

@@ -46,6 +46,11 @@ class GeodesicRules {
   void check_equal() const;
   void check_complete();
   void check_pieces();
+  void check_maximal();
+
+  /// By geodesic of the basis and by shortest one: the derivative of the length of the latter along a twist about the
+  /// former, times sinh²(l/2) for the length l of all.
+  [[nodiscard]] std::vector<std::vector<Interval>> twist_derivatives();
 
   [[nodiscard]] bool is_thick_thin() const { return document_.claim == GeodesicsDocument::Claim::thick_thin; }
   void expect_less(std::size_t i, const mpq_class& length, bool wanted);

@@ -1,6 +1,5 @@
 #include "netgen/curves/lengths.h"
 
-#include <ClpSimplex.hpp>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "certify/numbers/interval_arithmetic.h"
+#include "netgen/curves/balance.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants.h"
@@ -364,42 +364,6 @@ using certify::operator-;
 using certify::operator*;
 using certify::operator/;
 
-double middle_of(const Interval& x) { return x.lower + (x.upper - x.lower) / 2; }
-
-/// Maximize the last variable of a linear programme: rows · variables ≥ bounds, and variables between their ends.
-/// Nothing if there is no solution.
-std::optional<std::vector<double>> maximize_last(const std::vector<std::vector<double>>& rows,
-                                                 const std::vector<double>& at_least,
-                                                 const std::vector<double>& at_most, const std::vector<double>& least,
-                                                 const std::vector<double>& greatest) {
-  ClpSimplex model;
-  model.setLogLevel(0);
-  const auto count = static_cast<int>(least.size());
-  model.resize(0, count);
-  for (int j = 0; j < count; ++j) {
-    const auto at = static_cast<std::size_t>(j);
-    model.setColumnBounds(j, least[at], greatest[at]);
-    model.setObjectiveCoefficient(j, j + 1 == count ? -1 : 0);
-  }
-  std::vector<int> columns(static_cast<std::size_t>(count));
-  for (int j = 0; j < count; ++j) columns[static_cast<std::size_t>(j)] = j;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    // What is 0 but for rounding is no pivot.
-    constexpr double kNothing = 1e-12;
-    std::vector<double> row = rows[i];
-    for (double& x : row) {
-      if (std::abs(x) < kNothing) x = 0;
-    }
-    model.addRow(count, columns.data(), row.data(), at_least[i], at_most[i]);
-  }
-  // Steps near a maximum are small.
-  model.setPrimalTolerance(1e-11);
-  model.setDualTolerance(1e-11);
-  model.primal();
-  if (!model.isProvenOptimal()) return std::nullopt;
-  return std::vector<double>(model.primalColumnSolution(), model.primalColumnSolution() + count);
-}
-
 /// A point of the climb.
 struct Place {
   Surface surface;
@@ -562,48 +526,6 @@ std::optional<double> norm_of_inverse(const IntervalMatrix& matrix) {
   return left.lower > 0 && std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
-/// λ ≥ 0 with the sum 1 and Σ λ_i g_i = 0, about, of which the least one is as great as possible.
-std::optional<std::vector<double>> balance(std::span<const std::vector<Interval>> gradients) {
-  const std::size_t count = gradients.size();
-  const std::size_t dimension = gradients[0].size();
-  std::vector<std::vector<double>> rows(dimension + 1, std::vector<double>(count + 1, 0));
-  std::vector<double> values(dimension + 1, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < dimension; ++j) rows[j][i] = middle_of(gradients[i][j]);
-    rows[dimension][i] = 1;
-  }
-  values[dimension] = 1;
-  constexpr double kInfinite = std::numeric_limits<double>::max();
-  std::vector<double> at_most = values;
-  for (std::size_t i = 0; i < count; ++i) {
-    auto& row = rows.emplace_back(count + 1, 0);
-    row[i] = 1;
-    row[count] = -1;
-    values.push_back(0);
-    at_most.push_back(kInfinite);
-  }
-  auto found =
-      maximize_last(rows, values, at_most, std::vector<double>(count + 1, 0), std::vector<double>(count + 1, 1));
-  if (!found || found->back() <= 0) return std::nullopt;
-  found->pop_back();
-  return found;
-}
-
-/// Those that are a basis.
-std::vector<std::size_t> independent(std::span<const std::vector<Interval>> gradients) {
-  const auto dimension = static_cast<Index>(gradients[0].size());
-  DenseMatrix columns(dimension, static_cast<Index>(gradients.size()));
-  for (std::size_t i = 0; i < gradients.size(); ++i) {
-    for (Index j = 0; j < dimension; ++j)
-      columns(j, static_cast<Index>(i)) = middle_of(gradients[i][static_cast<std::size_t>(j)]);
-  }
-  const Eigen::ColPivHouseholderQR<DenseMatrix> decomposition(columns);
-  std::vector<std::size_t> result;
-  for (Index k = 0; k < dimension; ++k)
-    result.push_back(static_cast<std::size_t>(decomposition.colsPermutation().indices()[k]));
-  return result;
-}
-
 /// The greatest sum of the absolute values of the second derivatives of a length, in a box around the coordinates;
 /// infinite if the box is too wide.
 double curvature(EnclosedCoordinates coordinates, double distance, std::span<const Word> words) {
@@ -631,6 +553,7 @@ std::optional<double> slope_of_least(std::span<const std::vector<Interval>> grad
   const auto weights = balance(gradients);
   if (!weights) return std::nullopt;
   const std::vector<std::size_t> basis = independent(gradients);
+  if (basis.size() < dimension) return std::nullopt;
   IntervalMatrix rows;
   for (const std::size_t i : basis) rows.push_back(gradients[i]);
   const auto inverse = norm_of_inverse(rows);

@@ -430,9 +430,8 @@ std::uint32_t tile_of(const certify::NetDocument& net, const certify::GeodesicsD
 /// How many closed geodesics at the beginning of a file are shortest ones of the surface, as it claims: those of a
 /// systole, or those of a spectrum whose lengths it does not tell apart.
 std::size_t count_of_shortest(const certify::GeodesicsDocument& geodesics) {
-  using Claim = certify::GeodesicsDocument::Claim;
-  if (geodesics.claim == Claim::systole) return geodesics.geodesics.size();
-  return geodesics.claim == Claim::spectrum && !geodesics.clusters.empty() ? geodesics.clusters[0].count : 0;
+  if (geodesics.claim == certify::GeodesicsDocument::Claim::systole) return geodesics.geodesics.size();
+  return geodesics.has_up_to() && !geodesics.clusters.empty() ? geodesics.clusters[0].count : 0;
 }
 
 /// Closed geodesics of a file, from `first` on, before `end`.

@@ -47,6 +47,7 @@ void add_embedded_disk_command(CLI::App& app, Job& chosen);
 void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
+void add_local_maximum_command(CLI::App& app, Job& chosen);
 void add_curves_command(CLI::App& app, Job& chosen);
 void add_mapping_class_command(CLI::App& app, Job& chosen);
 void add_maximize_command(CLI::App& app, Job& chosen);

@@ -302,9 +302,9 @@ void add_commands(CLI::App& app, Job& chosen) {
       {"Surfaces", {add_surface_command, add_pants_command, add_dirichlet_command, add_maximize_command}},
       {"Nets", {add_net_command, add_import_net_command, add_locate_command}},
       {"Lengths and distances",
-       {add_systole_command, add_spectrum_command, add_thick_thin_command, add_curves_command,
-        add_mapping_class_command, add_distance_command, add_distances_command, add_eccentricity_command,
-        add_diameter_command, add_radius_command, add_embedded_disk_command}},
+       {add_systole_command, add_spectrum_command, add_thick_thin_command, add_local_maximum_command,
+        add_curves_command, add_mapping_class_command, add_distance_command, add_distances_command,
+        add_eccentricity_command, add_diameter_command, add_radius_command, add_embedded_disk_command}},
       {"Spectrum and symmetries",
        {add_eigenvalues_command, add_bands_command, add_lattice_command, add_isometries_command, add_isometric_command,
         add_identify_command}},
@@ -337,7 +337,8 @@ int run(int argc, char** argv) {
       "  epsnet surface octagon --seed 123 -o s.json\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
       "  certify net.json\n\n"
-      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net, isometric, identify), 64 invalid command "
+      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net, isometric, identify, local-maximum), 64 "
+      "invalid command "
       "line, 70 "
       "internal fault.\n"
       "An interrupted command leaves no files behind.");

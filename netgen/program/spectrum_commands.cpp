@@ -9,6 +9,7 @@
 #include "certify/base/text.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
+#include "netgen/curves/local_maximum.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/pictures/pictures.h"
@@ -16,7 +17,7 @@
 #include "netgen/program/files.h"
 #include "netgen/prove/certified.h"
 
-/// The commands systole, spectrum and thick-thin: lists of closed geodesics, each with its proof.
+/// The commands systole, spectrum, thick-thin and local-maximum: lists of closed geodesics, each with its proof.
 
 namespace epsnet::program {
 namespace {
@@ -49,6 +50,10 @@ std::string geodesics_text(const GeodesicsDocument& document) {
     return out.str();
   }
   const bool small = document.claim == certify::GeodesicsDocument::Claim::thick_thin;
+  if (document.claim == certify::GeodesicsDocument::Claim::local_maximum) {
+    out << "a local maximum of the systole: " << document.clusters[0].count << " shortest closed geodesics of length "
+        << to_string(document.geodesics[0].length) << '\n';
+  }
   out << "closed geodesics: " << document.geodesics.size() << ", primitive, up to orientation, of length at most "
       << (small ? "2 arsinh 1" : document.up_to) << '\n';
   for (const certify::GeodesicsDocument::Cluster& cluster : document.clusters) {
@@ -74,13 +79,18 @@ std::string geodesics_text(const GeodesicsDocument& document) {
   return out.str();
 }
 
+const char* name_of(GeodesicsDocument::Claim claim) {
+  using enum GeodesicsDocument::Claim;
+  if (claim == systole) return "systole";
+  if (claim == thick_thin) return "thick-thin";
+  return claim == spectrum ? "spectrum" : "local-maximum";
+}
+
 Json geodesics_json(const GeodesicsDocument& document) {
   const bool small = document.claim == certify::GeodesicsDocument::Claim::thick_thin;
   Json result = Json::object();
-  result["claim"] = document.claim == certify::GeodesicsDocument::Claim::systole ? "systole"
-                    : small                                                      ? "thick-thin"
-                                                                                 : "spectrum";
-  if (document.claim == certify::GeodesicsDocument::Claim::spectrum) result["up_to"] = document.up_to;
+  result["claim"] = name_of(document.claim);
+  if (document.has_up_to()) result["up_to"] = document.up_to;
   result["geodesics"] = Json::array();
   for (const ClosedGeodesic& geodesic : document.geodesics) {
     Json& entry = result["geodesics"].emplace_back(Json::object());
@@ -95,6 +105,10 @@ Json geodesics_json(const GeodesicsDocument& document) {
       result["clusters"].push_back(
           Json::object({{"first", cluster.first}, {"count", cluster.count}, {"equal", cluster.equal}}));
     }
+  }
+  if (document.claim == certify::GeodesicsDocument::Claim::local_maximum) {
+    result["basis"] = document.basis;
+    result["weights"] = document.weights;
   }
   if (small) {
     result["pieces"] = Json::array();
@@ -136,7 +150,7 @@ void list_geodesics(const GeodesicsRequest& request, const Find& find) {
   write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
-/// The options that the three commands share.
+/// The options that these commands share.
 void add_common(CLI::App& command, GeodesicsRequest& request) {
   add_input(command, "SURFACE", request.surface, kSurfaceHelp);
   add_file(command, "-o,--output", request.output,
@@ -200,6 +214,29 @@ void add_thick_thin_command(CLI::App& app, Job& chosen) {
   add_common(*command, *shared);
   command->footer("Example:\n  epsnet thick-thin s.json\n  epsnet thick-thin s.json -o thin.json && certify thin.json");
   command->callback([&chosen, shared] { chosen = [shared] { list_geodesics(*shared, unproved::thick_thin); }; });
+}
+
+void add_local_maximum_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GeodesicsRequest>();
+  CLI::App* command = app.add_subcommand(
+      "local-maximum",
+      "That the systole is greater than that of any other surface nearby, proved: for surfaces whose shortest closed "
+      "geodesics are of exactly equal length, as no rounded coordinates make them.");
+  add_common(*command, *shared);
+  command->footer(
+      "Example:\n  epsnet surface named klein -o s.json\n  epsnet local-maximum s.json -o maximum.json && certify "
+      "maximum.json");
+  command->callback([&chosen, shared] {
+    chosen = [shared] {
+      list_geodesics(*shared, [](const Surface& surface, const GeodesicsOptions& options) {
+        try {
+          return unproved::local_maximum(surface, options);
+        } catch (const NotMaximalError& error) {
+          throw UndecidedError(error.what());
+        }
+      });
+    };
+  });
 }
 
 // The command eigenvalues: the first eigenvalues of the Laplacian in intervals, with their proof.

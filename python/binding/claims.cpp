@@ -7,6 +7,7 @@
 #include "netgen/base/gmp.h"
 #include "netgen/curves/closed_curves.h"
 #include "netgen/curves/lengths.h"
+#include "netgen/curves/local_maximum.h"
 #include "netgen/curves/mapping_class.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
@@ -131,6 +132,7 @@ using SharedGeodesics = Shared<GeodesicsDocument>;
 const char* name_of(GeodesicsDocument::Claim claim) {
   using Claim = GeodesicsDocument::Claim;
   if (claim == Claim::systole) return "systole";
+  if (claim == Claim::local_maximum) return "local-maximum";
   return claim == Claim::spectrum ? "spectrum" : "thick-thin";
 }
 
@@ -165,6 +167,10 @@ void bind_geodesics(py::module_& module) {
       .def_static("thick_thin",
                   [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {
                     return found(surface, epsilon, threads, progress, thick_thin);
+                  })
+      .def_static("local_maximum",
+                  [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {
+                    return found(surface, epsilon, threads, progress, local_maximum);
                   })
       .def("svg", [](const SharedGeodesics& self,
                      std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })

@@ -15,7 +15,7 @@ In a notebook a net, a closed geodesic, a domain shows itself as a picture, and 
 
 Surface         octagon, fenchel_nielsen, regular, named, map, load: surfaces; and what they are asked for
 Net             vertices, edges, triangles, lifts as arrays of NumPy; certificate; pictures; files
-ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
+ClosedGeodesics systole, spectrum, thick-thin decomposition, local maximum of the systole, each with its proof
 Eigenvalues     of the Laplacian: the first ones in intervals, proved, with eigenfunctions
 Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
 Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
@@ -49,7 +49,7 @@ from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, Polygon
 from .eigenvalues import Bands, Eigenfunction, EigenvalueEnclosure, Eigenvalues
 from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
 from .files import certify, load
-from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicities, Multiplicity, Piece, Systole, ThickThin
+from .geodesics import ClosedGeodesic, ClosedGeodesics, LocalMaximum, Multiplicities, Multiplicity, Piece, Systole, ThickThin
 from .graphs import Lattice, SurfaceGraph
 from .groups import FundamentalGroup
 from .intervals import Interval, ends, mids
@@ -68,7 +68,7 @@ __version__: str = _epsnet.__version__
 __all__ = [
     "ArgumentError", "Axis", "Bands", "Certificate", "ClosedCurve", "ClosedCurves", "ClosedGeodesic", "ClosedGeodesics", "Collar", "Comparison", "ComplexInterval", "Cover", "Cuff", "Curve", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
-    "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lattice", "LengthDerivatives", "Lifts", "LimitError", "Location", "MappingClass", "Multiplicities", "Multiplicity", "Net",
+    "FundamentalGroup", "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lattice", "LengthDerivatives", "Lifts", "LimitError", "LocalMaximum", "Location", "MappingClass", "Multiplicities", "Multiplicity", "Net",
     "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PointLoop", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceGraph", "SurfaceIsometry", "Systole", "SystoleMaximum",
     "ThickThin", "UndecidedError", "certify", "ends", "errors", "load", "mids", "table",
 ]

@@ -11,7 +11,7 @@ from .certificates import Certificate
 from .curves import ClosedCurves
 from .distances import Cover, Distance, cover_of
 from .eigenvalues import Eigenvalues
-from .geodesics import ClosedGeodesics, Systole, ThickThin
+from .geodesics import ClosedGeodesics, LocalMaximum, Systole, ThickThin, list_of
 from .nets import Net
 from .pants import PantsDecomposition
 from .surfaces import Surface
@@ -19,11 +19,11 @@ from .symmetries import Comparison, IsometryProof
 
 __all__ = ["certify", "load"]
 
-Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cover, Eigenvalues, IsometryProof, PantsDecomposition, Comparison, ClosedCurves]
+Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, LocalMaximum, Distance, Cover, Eigenvalues, IsometryProof, PantsDecomposition, Comparison, ClosedCurves]
 
 
 def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded:
-    """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter, a Radius or an EmbeddedDisk,
+    """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin, LocalMaximum), a Distance, a Diameter, a Radius or an EmbeddedDisk,
     Eigenvalues, an IsometryProof, a PantsDecomposition, a Comparison, or ClosedCurves.
 
     The file is checked; NotVerifiedError, which has the certificate, unless it is verified. With ``check=False`` nothing is checked: then
@@ -60,7 +60,7 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
         return ClosedCurves(core, None, certificate)
     if core.claim == "systole":
         return Systole(ClosedGeodesics(core, None, certificate))
-    return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, None, certificate)
+    return list_of(core, None, certificate)
 
 
 def certify(path: Path, *, threads: int = 0, progress: Progress = None) -> Certificate:

@@ -204,6 +204,26 @@ class ThickThin(ClosedGeodesics):
         return f"<ThickThin: {len(self)} small curves{'' if self.proved else ', not proved'}>"
 
 
+class LocalMaximum(ClosedGeodesics):
+    """That the systole of a surface is greater than those of all other surfaces nearby: its shortest closed geodesics, and those hardly longer."""
+
+    @property
+    def systoles(self) -> list[ClosedGeodesic]:
+        """The shortest closed geodesics, of exactly equal length."""
+        return self._list[:self._core.clusters[0][1]]
+
+    def __repr__(self) -> str:
+        return f"<LocalMaximum: {len(self.systoles)} systoles{'' if self.proved else ', not proved'}>"
+
+
+_KINDS = {"thick-thin": ThickThin, "local-maximum": LocalMaximum}
+
+
+def list_of(core: "_epsnet.Geodesics", surface: Optional["Surface"], certificate: Optional[Certificate]) -> ClosedGeodesics:
+    """The list of a file, by its claim."""
+    return _KINDS.get(core.claim, ClosedGeodesics)(core, surface, certificate)
+
+
 class Systole(Drawn, Interval):
     """The length of a shortest closed geodesic, as an interval, with the geodesic."""
 
@@ -254,7 +274,7 @@ _EPSILON = "1"  # Of the net from which a search starts; any gives the same list
 def _found(surface: "Surface", progress: Progress, find: Callable[[Any], tuple["_epsnet.Geodesics", "_epsnet.Certificate"]]) -> ClosedGeodesics:
     with Shower(progress) as callback:
         core, certificate = find(callback)
-    return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, surface, Certificate(certificate))
+    return list_of(core, surface, Certificate(certificate))
 
 
 def systole(surface: "Surface", threads: int, progress: Progress) -> Systole:
@@ -272,4 +292,11 @@ def thick_thin(surface: "Surface", threads: int, progress: Progress) -> ThickThi
     threads = as_threads(threads)
     found = _found(surface, progress, lambda callback: _epsnet.Geodesics.thick_thin(surface._core, _EPSILON, threads, callback))
     assert isinstance(found, ThickThin)
+    return found
+
+
+def local_maximum(surface: "Surface", threads: int, progress: Progress) -> LocalMaximum:
+    threads = as_threads(threads)
+    found = _found(surface, progress, lambda callback: _epsnet.Geodesics.local_maximum(surface._core, _EPSILON, threads, callback))
+    assert isinstance(found, LocalMaximum)
     return found

@@ -23,7 +23,7 @@ from .curves import ClosedCurves, Curve, curve, curves, fills
 from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
 from .eigenvalues import Bands, Eigenvalues, bands, eigenvalues, side_phases, torus_point
-from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
+from .geodesics import ClosedGeodesics, LocalMaximum, Systole, ThickThin, local_maximum, spectrum, systole, thick_thin
 from .graphs import Lattice, SurfaceGraph, graph_of, lattice
 from .groups import FundamentalGroup
 from .intervals import Interval
@@ -656,6 +656,16 @@ class Surface(Drawn, Immutable):
         (1, [Piece(genus=1, boundaries=[(0, 'left'), (0, 'right')])])
         """
         return thick_thin(self, threads, progress)
+
+    def local_maximum(self, *, threads: int = 0, progress: Progress = None) -> LocalMaximum:
+        """Proves that the systole is greater than that of any other surface nearby. Raises NetError, which says what fails, if that is not proved,
+        as where lengths are not exactly equal.
+
+        >>> import epsnet
+        >>> epsnet.Surface.named("klein").local_maximum()
+        <LocalMaximum: 21 systoles>
+        """
+        return local_maximum(self, threads, progress)
 
     # Symmetries.
 

@@ -239,6 +239,16 @@ def test_gradients():
         Surface.octagon(5).gradient([0])
 
 
+def test_a_local_maximum_of_the_systole(octagon, bolza, tmp_path):
+    maximum = bolza.local_maximum()
+    assert repr(maximum) == "<LocalMaximum: 12 systoles>" and maximum.proved and maximum.systoles == list(maximum)
+    maximum.save(tmp_path / "maximum.json")
+    loaded = epsnet.load(tmp_path / "maximum.json")
+    assert isinstance(loaded, epsnet.LocalMaximum) and loaded.up_to == maximum.up_to == "3.0573"
+    with pytest.raises(epsnet.NetError, match="1 shortest closed geodesic, fewer than 6g - 5 = 7"):
+        octagon.local_maximum()
+
+
 def test_the_greatest_systole(octagon, bolza):
     found = octagon.maximize_systole()
     assert found.systole.mid == pytest.approx(bolza.systole().mid, abs=1e-12) and found.systole.proved

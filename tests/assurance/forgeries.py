@@ -2335,6 +2335,142 @@ def vertex_of_a_geodesic_plus_2_to_32():
     return document
 
 
+def maximum(**changes):
+    """Bolza's surface, twelve systoles of which six are the basis."""
+    return with_(seed("maximum"), **changes)
+
+
+@refuted("complete")
+def maximum_without_one_of_its_systoles():
+    """A local maximum by eleven of the twelve systoles of Bolza's surface."""
+    document = maximum(basis=[0, 1, 2, 3, 4, 5], weights=[1] * 5)
+    del document["geodesics"][7]
+    return runs(document)
+
+
+@refuted("complete")
+def maximum_of_systoles_run_through_twice():
+    """Each systole of Bolza's surface run through twice."""
+    twelve = maximum()
+    rows = [{**row, "word": row["word"] * 2, "length": [2 * x for x in row["length"]]}
+            for row in twelve["geodesics"]]
+    return with_(twelve, geodesics=rows, up_to="6.2")
+
+
+@refuted("maximal")
+def maximum_with_a_great_weight():
+    """One systole of Bolza's surface weighs as much as a thousand others: weights of the basis would be negative."""
+    document = maximum()
+    document["weights"][2] *= 1000
+    return document
+
+
+@refuted("maximal")
+def maximum_of_which_one_systole_weighs_much():
+    """The same of each other one that is not in the basis, but for the least weight that is too much."""
+    document = maximum()
+    document["weights"] = [1, 1, 1, 1, 1, 4]
+    return document
+
+
+@forgery("UNDECIDED: maximal")
+def maximum_at_fermats_quartic():
+    """Fermat's quartic has 16 systoles, more than 6g - 6 = 12; but their gradients span 6 dimensions, and the systole
+    has no local maximum there. The certificate proves nothing: matrices that are singular are not told from others."""
+    document = seed("spectrum-of-fermats-quartic")
+    return with_(document, claim="local-maximum", basis=list(range(12)), weights=[1] * 4)
+
+
+@refuted("equal")
+def maximum_of_lengths_that_are_not_equal():
+    """A surface with lengths from 0.04 to 3.6: their enclosures are widened until they meet."""
+    document = seed("spectrum-with-a-figure-eight")
+    rows = document["geodesics"]
+    greatest = max(row["length"][1] for row in rows)
+    for row in rows:
+        row["length"][1] = greatest
+    return with_(runs(document), claim="local-maximum", basis=[0, 1, 2, 3, 4, 5], weights=[1] * (len(rows) - 6))
+
+
+@refuted("simple")
+def maximum_with_a_systole_that_crosses_itself():
+    """A systole in the basis is said not to be simple."""
+    document = maximum()
+    document["geodesics"][document["basis"][0]]["simple"] = False
+    return document
+
+
+@refuted("distinct")
+def maximum_with_a_twin():
+    """A systole occurs twice in place of another one, once inverted."""
+    document = maximum()
+    rows = document["geodesics"]
+    rows[11] = {**rows[10], "word": inverse(rows[10]["word"])}
+    return document
+
+
+@malformed("clusters")
+def maximum_of_lengths_that_are_not_said_to_be_equal():
+    """`equal` is false."""
+    document = maximum()
+    document["clusters"][0]["equal"] = False
+    return document
+
+
+@malformed("basis")
+def maximum_with_five_in_its_basis():
+    """Five of the six geodesics of the basis; the other one has a weight."""
+    document = maximum()
+    return with_(document, basis=document["basis"][:5], weights=document["weights"] + [1])
+
+
+@malformed("basis[5]")
+def maximum_with_one_twice_in_its_basis():
+    """The last geodesic of the basis is the one before."""
+    basis = maximum()["basis"]
+    return maximum(basis=basis[:5] + basis[4:5])
+
+
+@malformed("basis")
+def maximum_with_a_basis_of_2_to_32_more():
+    """An index of the basis plus 2³²."""
+    basis = maximum()["basis"]
+    return maximum(basis=basis[:5] + [basis[5] + 2**32])
+
+
+@malformed("weights[0]")
+def maximum_with_a_weight_of_0():
+    """A weight of 0: its geodesic would not count."""
+    return maximum(weights=[0] + maximum()["weights"][1:])
+
+
+@malformed("weights")
+def maximum_with_a_negative_weight():
+    """A weight of -1."""
+    return maximum(weights=[-1] + maximum()["weights"][1:])
+
+
+@malformed("weights")
+def maximum_with_a_weight_too_many():
+    """A weight for the basis, too."""
+    return maximum(weights=maximum()["weights"] + [1])
+
+
+@malformed("geodesics file")
+def spectrum_with_a_basis():
+    """A spectrum with the basis of a local maximum."""
+    return with_(maximum(), claim="spectrum")
+
+
+@disguise()
+def maximum_with_other_words():
+    """Weights of a million, and each systole the other way around, conjugated."""
+    document = maximum(weights=[1_000_000] * 6)
+    for row in document["geodesics"]:
+        row["word"] = [2] + inverse(row["word"]) + [6]
+    return document
+
+
 @malformed("geodesics file")
 def spectrum_said_to_be_small_curves():
     """A spectrum under the claim `thick-thin`, for which it has no pieces."""

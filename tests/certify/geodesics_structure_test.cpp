@@ -76,6 +76,59 @@ TEST(GeodesicsStructure, OnlyAThickThinDecompositionHasPieces) {
   expect_malformed(document, "pieces: only a thick-thin decomposition has them");
 }
 
+/// Twelve shortest geodesics of a surface of genus 2, of which six are the basis.
+GeodesicsDocument maximum() { return read_file<GeodesicsDocument>(EPSNET_TEST_DATA "/geodesics/bolza-maximum.json"); }
+
+TEST(GeodesicsStructure, OnlyALocalMaximumHasABasisAndWeights) {
+  for (const auto claim : {GeodesicsDocument::Claim::systole, GeodesicsDocument::Claim::thick_thin}) {
+    for (const bool weights : {false, true}) {
+      GeodesicsDocument document = claim == GeodesicsDocument::Claim::systole ? systole() : three_cuffs();
+      (weights ? document.weights : document.basis) = {1};
+      expect_malformed(document, claim == GeodesicsDocument::Claim::systole
+                                     ? "a systole has neither up_to nor clusters nor pieces nor basis nor weights"
+                                     : "basis: only a local maximum has it, and weights");
+    }
+  }
+}
+
+TEST(GeodesicsStructure, TheFirstClusterOfALocalMaximumIsOfEqualLengths) {
+  GeodesicsDocument document = maximum();
+  EXPECT_EQ(structure_problem(document), std::nullopt);
+  document.clusters[0].equal = false;
+  expect_malformed(document, "clusters: the first ones of a local maximum are of equal length");
+  document.geodesics.clear();
+  document.clusters.clear();
+  expect_malformed(document, "clusters: the first ones of a local maximum are of equal length");
+}
+
+TEST(GeodesicsStructure, ABasisHas6gMinus6GeodesicsInOrder) {
+  GeodesicsDocument document = maximum();
+  document.basis.pop_back();
+  document.weights.push_back(1);
+  expect_malformed(document, "basis: 5 elements, expected 6g - 6");
+  document = maximum();
+  document.basis = {0, 1, 2, 3, 4, 5, 6};
+  document.weights.pop_back();
+  expect_malformed(document, "basis: 7 elements, expected 6g - 6");
+  document = maximum();
+  document.basis = {0, 2, 2, 3, 8, 9};
+  expect_malformed(document, "basis[2]: 2 is not one of the first 12 geodesics after the one before");
+  document.basis = {0, 1, 2, 3, 8, 12};
+  expect_malformed(document, "basis[5]: 12 is not one of the first 12 geodesics after the one before");
+  document.basis = {0, 1, 2, 3, 8, 11};
+  EXPECT_EQ(structure_problem(document), std::nullopt);
+}
+
+TEST(GeodesicsStructure, EveryOtherShortestGeodesicHasAPositiveWeight) {
+  GeodesicsDocument document = maximum();
+  document.weights.pop_back();
+  expect_malformed(document, "weights: 5 elements, expected one for each of the first 12 geodesics that is not in the");
+  document.weights = {1, 1, 1, 1, 1, 1, 1};
+  expect_malformed(document, "weights: 7 elements, expected one for each of the first 12 geodesics that is not in the");
+  document.weights = {1, 1, 1, 0, 1, 1};
+  expect_malformed(document, "weights[3]: 0, expected at least 1");
+}
+
 TEST(GeodesicsStructure, EverySideOfEveryGeodesicBoundsAPiece) {
   GeodesicsDocument document = three_cuffs();
   document.pieces[1].boundaries.pop_back();

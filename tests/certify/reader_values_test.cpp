@@ -78,6 +78,30 @@ Json geodesics(const std::string& claim) {
   return result;
 }
 
+/// A basis of 3 of 5 curves, of a net with as many vertices and triangles as a surface with 3 coordinates would have.
+Json local_maximum() {
+  Json result = geodesics("spectrum");
+  result["claim"] = "local-maximum";
+  result["net"] = Json::parse(R"({"format": "epsnet-net", "version": 1, "epsilon": "1/3",
+      "charts": [[0, "0", "1/2"]], "labels": [[0, 0, [7, 0, 3]]], "vertices": [[0, 0.25, -0.5]],
+      "triangles": [[0, 0, 0, 3, 4, 5, 1, 0], [0, 0, 0, 0, 1, 2, 0, 1], [0, 0, 0, 9, 10, 11, 0, 0],
+                    [0, 0, 0, 6, 7, 8, 0, 0]]})");
+  result["net"]["surface"] = regular();
+  Json row = result["geodesics"][0];
+  row["length"] = Json::array({0.625, 0.75});
+  Json last = result["geodesics"][2];
+  last["vertex"] = 0;
+  result["geodesics"] = Json::array({row, row, row, row, row, last});
+  result["clusters"] =
+      Json::parse(R"([{"first": 0, "count": 5, "equal": true}, {"first": 5, "count": 1, "equal": false}])");
+  result["basis"] = Json::array({0, 2, 3});
+  result["weights"] = Json::array({7, 2});
+  return result;
+}
+
+/// The members of the claim.
+Json any_list(const std::string& claim) { return claim == "local-maximum" ? local_maximum() : geodesics(claim); }
+
 /// A list in which nothing is.
 Json empty_list(const std::string& claim) {
   Json result = geodesics(claim);
@@ -184,6 +208,7 @@ std::vector<Json> files() {
           geodesics("systole"),
           geodesics("spectrum"),
           geodesics("thick-thin"),
+          local_maximum(),
           empty_list("spectrum"),
           empty_list("thick-thin"),
           distance(),
@@ -371,16 +396,17 @@ TEST(ReaderValues, MembersOfAnotherKindAreRefused) {
   }
   expect_refused(surface_file(tiles()), Pointer("/surface/genus"), 2);
   expect_refused(surface_file(tiles()), Pointer("/surface/genus"), 0);
-  for (const std::string claim : {"systole", "spectrum", "thick-thin"}) {
-    const Json file = geodesics(claim);
-    for (const char* member : {"up_to", "clusters", "pieces"}) {
+  for (const std::string claim : {"systole", "spectrum", "thick-thin", "local-maximum"}) {
+    const Json file = any_list(claim);
+    for (const char* member : {"up_to", "clusters", "pieces", "basis", "weights"}) {
       if (file.contains(member)) continue;
       expect_refused(file, Pointer("/") / member, Json::array());
       expect_refused(file, Pointer("/") / member, "");
-      expect_refused(file, Pointer("/") / member,
-                     geodesics(member == std::string("up_to") ? "spectrum" : "thick-thin")[member]);
+      const Json has_it = geodesics("thick-thin").contains(member) ? geodesics("thick-thin") : local_maximum();
+      expect_refused(file, Pointer("/") / member, has_it[member]);
     }
-    for (const std::string other : {"systole", "spectrum", "thick-thin", "", "Systole", "thick_thin"}) {
+    for (const std::string other :
+         {"systole", "spectrum", "thick-thin", "local-maximum", "", "Systole", "thick_thin"}) {
       if (other != claim) expect_refused(file, Pointer("/claim"), other);
     }
   }

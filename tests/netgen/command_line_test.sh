@@ -236,7 +236,7 @@ good net s.json --epsilon 0.5 -o /dev/null --svg /dev/null
 mkdir out.d
 long=$(printf '%0255d' 0)
 for target in out.d out.d/ no-such/x "$long" no-such/; do
-  for command in 'net --epsilon 0.5' systole 'spectrum --up-to 3' thick-thin dirichlet draw view 'export --format domain' 'surface import' 'import-net --epsilon 0.5'; do
+  for command in 'net --epsilon 0.5' systole 'spectrum --up-to 3' thick-thin local-maximum dirichlet draw view 'export --format domain' 'surface import' 'import-net --epsilon 0.5'; do
     # shellcheck disable=SC2086
     bad 1 'epsnet: \(out.d\|no-such\|000*\)/*x*: cannot be' $command no-such.json -o "$target"
   done
@@ -427,6 +427,9 @@ good surface matrices field.json -o same.json
 says 'exactly that of the matrices'
 good isometric regular.json same.json
 says 'isometric: yes'
+good local-maximum same.json -o maximum.json
+says '^a local maximum of the systole: 12 shortest closed geodesics of length'
+verified maximum.json
 sed 's/"tiles"/"-"/; s/"generators"/"--"/; s/"rounded"/"generators"/' field.json >decimals.json
 good surface matrices decimals.json -o same.json
 says 'the nearest exact one; entries differ by at most'
@@ -442,6 +445,17 @@ says '^fricke-macbeath$'
 says '^R10.1$'
 good surface named klein -o klein.json --json
 says '"genus":3,.*"type":\[7,3\],"regular":true,'
+good local-maximum klein.json --json -o maximum.json --svg maximum.svg
+grep -q '^{"verdict":"VERIFIED","claim":"local-maximum","up_to":"3.9361","geodesics":\[{' output || complain "Klein's quartic: $(cat output)"
+grep -q '"basis":\[[0-9,]*\],"weights":\[1,1,1,1,1,1,1,1,1\]' output || complain "Klein's quartic: $(cat output)"
+good info maximum.json
+says '^a local maximum of the systole: 21 shortest closed geodesics of length \[3\.935946'
+# Not proved: too few, dependent gradients, lengths that are rounded.
+bad 2 '^epsnet: not proved to be a local maximum of the systole: 1 shortest closed geodesic, fewer than 6g - 5 = 7$' local-maximum s.json -o out/x.json
+good surface named fermat-quartic -o fermat.json
+bad 2 'the gradients of the 16 shortest closed geodesics span 6 of 6g - 6 = 12 dimensions$' local-maximum fermat.json -o out/x.json
+good surface named R3.4 -o few.json
+bad 2 ': 12 shortest closed geodesics, fewer than 6g - 5 = 13$' local-maximum few.json --no-certify -o out/x.json
 good net klein.json --epsilon 0.5 -o klein-net.json
 verified klein-net.json
 good info klein-net.json
@@ -550,7 +564,7 @@ bad 1 'expected a surface file or a net file, not a geodesics file' export systo
 bad 1 'expected a surface file or a net file, not a distance file' export distance.json --format json -o out/x.json
 
 # ---- What is said ----
-for command in 'net --epsilon 0.5 -o out/x' systole 'spectrum --up-to 3' thick-thin 'dirichlet -o out/x' 'draw -o out/x.svg' 'view -o out/x.html' info 'export --format domain -o out/x' 'surface import -o out/x' 'import-net --epsilon 0.5 -o out/x'; do
+for command in 'net --epsilon 0.5 -o out/x' systole 'spectrum --up-to 3' thick-thin local-maximum 'dirichlet -o out/x' 'draw -o out/x.svg' 'view -o out/x.html' info 'export --format domain -o out/x' 'surface import -o out/x' 'import-net --epsilon 0.5 -o out/x'; do
   # shellcheck disable=SC2086
   bad 1 '^epsnet: "*folder/no-such.json"*: no such file$' $command folder/no-such.json
   # shellcheck disable=SC2086

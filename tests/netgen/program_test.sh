@@ -56,6 +56,9 @@ good spectrum bolza.json --up-to 3.1 -o spectrum.json
 verified spectrum.json
 good spectrum bolza.json --up-to 3
 says '^closed geodesics: 0'
+good local-maximum bolza.json -o maximum.json
+says '^a local maximum of the systole: 12 shortest closed geodesics of length \[3\.0571'
+verified maximum.json
 good surface fenchel-nielsen --pants-graph '0-1 0-1 0-1' --lengths 1e-3,1e-8,0.5 --twists 0.2 -o thin.json
 good thick-thin thin.json -o thick.json
 [ "$(grep -c '^piece .: genus 0, 3 boundaries' output)" = 2 ] || complain "two pairs of pants: $(cat output)"
@@ -212,7 +215,7 @@ for file in large.json large.epsn cut.json; do
 done
 
 for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net import-net systole spectrum \
-  thick-thin dirichlet distance locate distances eccentricity diameter radius embedded-disk draw view info export convert help; do
+  thick-thin local-maximum dirichlet distance locate distances eccentricity diameter radius embedded-disk draw view info export convert help; do
   # shellcheck disable=SC2086
   good $command --help
   grep -q 'Example' output || complain "epsnet $command --help has no example"

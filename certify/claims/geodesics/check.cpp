@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <numeric>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "certify/base/text.h"
 #include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/crossing_search.h"
 #include "certify/claims/geodesics/fields.h"
+#include "certify/claims/geodesics/local_maximum.h"
 #include "certify/claims/geodesics/sequences.h"
 #include "certify/claims/net/claim.h"
 #include "certify/net/structure.h"
@@ -39,8 +42,9 @@ Problem geodesics_problem(const GeodesicsDocument& document) {
 }
 
 Problem systole_problem(const GeodesicsDocument& document) {
-  if (!document.clusters.empty() || !document.pieces.empty() || !document.up_to.empty()) {
-    return "claim: a systole has neither up_to nor clusters nor pieces";
+  if (!document.clusters.empty() || !document.pieces.empty() || !document.up_to.empty() || !document.basis.empty() ||
+      !document.weights.empty()) {
+    return "claim: a systole has neither up_to nor clusters nor pieces nor basis nor weights";
   }
   if (document.geodesics.size() != 1) {
     return "geodesics: " + std::to_string(document.geodesics.size()) + " elements, expected one, a systole";
@@ -51,7 +55,7 @@ Problem systole_problem(const GeodesicsDocument& document) {
 }
 
 Problem up_to_problem(const GeodesicsDocument& document) {
-  if (document.claim != GeodesicsDocument::Claim::spectrum) {
+  if (!document.has_up_to()) {
     if (document.up_to.empty()) return std::nullopt;
     return "up_to: only a spectrum has it";
   }
@@ -115,6 +119,35 @@ Problem pieces_problem(const GeodesicsDocument& document) {
   return "pieces: " + std::to_string(sides) + " of " + std::to_string(used.size()) + " sides of geodesics occur";
 }
 
+Problem maximum_problem(const GeodesicsDocument& document) {
+  const auto& [basis, weights] = std::tie(document.basis, document.weights);
+  if (document.claim != GeodesicsDocument::Claim::local_maximum) {
+    if (basis.empty() && weights.empty()) return std::nullopt;
+    return "basis: only a local maximum has it, and weights";
+  }
+  if (document.clusters.empty() || !document.clusters[0].equal) {
+    return "clusters: the first ones of a local maximum are of equal length";
+  }
+  // 6g − 6 = −3χ, and twice χ is twice the number of vertices less that of triangles.
+  const std::uint32_t shortest = document.clusters[0].count;
+  if (2 * basis.size() + 6 * document.net.vertices.size() != 3 * document.net.triangles.size()) {
+    return "basis: " + counted(basis.size(), "element", "elements") + ", expected 6g - 6";
+  }
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    if (basis[k] >= shortest || (k > 0 && basis[k] <= basis[k - 1])) {
+      return at("basis", k) + std::to_string(basis[k]) + " is not one of the first " + std::to_string(shortest) +
+             " geodesics after the one before";
+    }
+  }
+  if (basis.size() + weights.size() != shortest) {
+    return "weights: " + counted(weights.size(), "element", "elements") + ", expected one for each of the first " +
+           std::to_string(shortest) + " geodesics that is not in the basis";
+  }
+  const auto zero = std::find(weights.begin(), weights.end(), 0U);
+  if (zero == weights.end()) return std::nullopt;
+  return at("weights", static_cast<std::size_t>(zero - weights.begin())) + "0, expected at least 1";
+}
+
 }  // namespace
 
 Problem structure_problem(const GeodesicsDocument& document) {
@@ -124,7 +157,8 @@ Problem structure_problem(const GeodesicsDocument& document) {
   if (document.claim == GeodesicsDocument::Claim::systole) return systole_problem(document);
   if (auto problem = up_to_problem(document)) return problem;
   if (auto problem = clusters_problem(document)) return problem;
-  return pieces_problem(document);
+  if (auto problem = pieces_problem(document)) return problem;
+  return maximum_problem(document);
 }
 
 std::uint64_t least_bytes(const GeodesicsDocument& document) {
@@ -132,7 +166,7 @@ std::uint64_t least_bytes(const GeodesicsDocument& document) {
   for (const GeodesicsDocument::ClosedGeodesic& row : document.geodesics) bytes += 52 + least_bytes(row.word);
   bytes += 34 * document.clusters.size();
   for (const GeodesicsDocument::Piece& piece : document.pieces) bytes += 26 + 6 * piece.boundaries.size();
-  return bytes;
+  return bytes + 2 * (document.basis.size() + document.weights.size());
 }
 
 namespace {
@@ -149,6 +183,7 @@ constexpr const char* kSimple = "simple";
 constexpr const char* kEqualLengths = "equal";
 constexpr const char* kComplete = "complete";
 constexpr const char* kPieces = "pieces";
+constexpr const char* kMaximal = "maximal";
 
 class GeodesicsCheck {
  public:
@@ -205,7 +240,8 @@ class GeodesicsCheck {
     for (const char* rule : {kGeodesics, kDistinct, kSimple, kPieces}) {
       if (open(rule)) return false;
     }
-    return !open(kComplete) || completeness_.limit_reached;
+    if (open(kComplete)) return completeness_.limit_reached;
+    return !open(kMaximal) || !lists_shortest();
   }
 
   void report(const char* rule, Verdict verdict, std::string text) { rules_.report({rule, verdict, std::move(text)}); }
@@ -240,6 +276,15 @@ class GeodesicsCheck {
     if (open(kPieces) && verdict(kSimple) == Verdict::verified && verdict(kDistinct) == Verdict::verified) {
       check_pieces(crossings);
     }
+    if (open(kMaximal) && lists_shortest()) check_maximal(crossings);
+  }
+
+  /// Whether the first cluster is known to have the shortest closed geodesics.
+  [[nodiscard]] bool lists_shortest() const {
+    for (const char* rule : {kDistinct, kSimple, kEqualLengths, kComplete}) {
+      if (verdict(rule) != Verdict::verified) return false;
+    }
+    return true;
   }
 
   [[nodiscard]] bool is_wrong() const {
@@ -247,7 +292,7 @@ class GeodesicsCheck {
   }
 
   void doubt_all(const std::string& why) {
-    for (const char* rule : {kDistinct, kSimple, kComplete, kPieces}) rules_.doubt(rule, why);
+    for (const char* rule : {kDistinct, kSimple, kComplete, kPieces, kMaximal}) rules_.doubt(rule, why);
   }
 
   [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
@@ -411,6 +456,35 @@ class GeodesicsCheck {
     return pieces.size() > kShown ? result + " ..." : result;
   }
 
+  // Rule maximal.
+
+  void check_maximal(const CrossingPass& crossings) {
+    const std::span<const AxisCrossings> shortest(crossings.geodesics().data(), document_.clusters[0].count);
+    const auto derivatives = twist_derivatives(crossings.net().plane(), shortest, document_.basis);
+    if (!derivatives) {
+      rules_.doubt(kMaximal, "not decided which of the shortest geodesics cross, with " + bits());
+      return;
+    }
+    const auto weights = weights_of_basis(crossings.net().plane(), *derivatives, document_.basis, document_.weights);
+    if (!weights) {
+      rules_.doubt(kMaximal, "not decided whether the gradients of the basis span, with " + bits());
+      return;
+    }
+    for (const Tri wanted : {Tri::no, Tri::unknown}) {
+      for (std::size_t k = 0; k < weights->size(); ++k) {
+        if (certainly_positive((*weights)[k]) != wanted) continue;
+        const bool wrong = wanted == Tri::no;
+        report(kMaximal, wrong ? Verdict::refuted : Verdict::undecided,
+               geodesic_name(document_.basis[k]) + " has a weight in " + to_string(outer_interval((*weights)[k])) +
+                   (wrong ? ", not positive" : ", not decided whether positive, with " + bits()));
+        return;
+      }
+    }
+    report(kMaximal, Verdict::verified,
+           "near the surface all others have a lesser systole: the gradients of the " +
+               std::to_string(shortest.size()) + " shortest geodesics span, and with positive weights their sum is 0");
+  }
+
   const GeodesicsDocument& document_;
   const CheckOptions& options_;
   unsigned threads_;
@@ -436,6 +510,11 @@ std::string text_of(const GeodesicsDocument& document) {
     case GeodesicsDocument::Claim::spectrum:
       return "the spectrum: the " + count + " primitive closed geodesics of length at most " +
              in_quotes(document.up_to) + ", up to orientation";
+    case GeodesicsDocument::Claim::local_maximum:
+      return "a local maximum of the systole: surfaces near this one have a lesser systole; it has " +
+             std::to_string(document.clusters[0].count) + " shortest closed geodesics, of length in " +
+             to_string(document.geodesics[0].length) + ", among the " + count + " primitive ones of length at most " +
+             in_quotes(document.up_to) + ", up to orientation";
     case GeodesicsDocument::Claim::thick_thin:
       break;
   }
@@ -449,6 +528,7 @@ RuleNames own_rules(const GeodesicsDocument& document) {
   if (document.claim == GeodesicsDocument::Claim::systole) return {kGeodesics, kSimple, kComplete};
   RuleNames rules{kGeodesics, kDistinct, kSimple, kEqualLengths, kComplete};
   if (document.claim == GeodesicsDocument::Claim::thick_thin) rules.emplace_back(kPieces);
+  if (document.claim == GeodesicsDocument::Claim::local_maximum) rules.emplace_back(kMaximal);
   return rules;
 }
 

@@ -474,9 +474,10 @@ CrossingPass::CrossingPass(const GeodesicsDocument& document, const LabelEvaluat
   search_.emplace(moved_, *order_, cosh_half);
   const std::size_t count = document.geodesics.size();
   const bool together = document.claim == GeodesicsDocument::Claim::thick_thin;
+  const bool kept = together || document.claim == GeodesicsDocument::Claim::local_maximum;
   std::vector<LeastSequence> sequences(count);
   meetings_.resize(count);
-  geodesics_.resize(together ? count : 0);
+  geodesics_.resize(kept ? count : 0);
   for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
     const auto [first_dart, element] = member(i);
     std::optional<AxisCrossings> crossings = axis_crossings(moved_, first_dart, element);
@@ -484,11 +485,8 @@ CrossingPass::CrossingPass(const GeodesicsDocument& document, const LabelEvaluat
     sequences[i] = least_sequence(codes_of(crossings->darts));
     // A power runs through the same chords again and again.
     crossings->darts.resize(crossings->darts.size() / sequences[i].exponent);
-    if (together) {
-      geodesics_[i] = *std::move(crossings);
-    } else {
-      meetings_[i] = find_meetings(plane_, {&*crossings, 1})[0];
-    }
+    if (!together) meetings_[i] = find_meetings(plane_, {&*crossings, 1})[0];
+    if (kept) geodesics_[i] = *std::move(crossings);
   });
   if (std::any_of(sequences.begin(), sequences.end(), [](const auto& sequence) { return sequence.root.empty(); })) {
     return;
@@ -574,7 +572,7 @@ Tri CrossingPass::is_to_be_listed(const BallIsometry& element, const std::vector
   const bool is_near_tie =
       arb_rel_accuracy_bits(element.a.re()) >= kTieBits && arb_rel_accuracy_bits(cosh_half_.get()) >= kTieBits;
   // An `up_to` is never a length, 2 arsinh 1 may be one.
-  if (shorter != Tri::unknown || document_.claim == GeodesicsDocument::Claim::spectrum || !is_near_tie) return shorter;
+  if (shorter != Tri::unknown || document_.has_up_to() || !is_near_tie) return shorter;
   std::vector<SignedLabel> product;
   for (const std::uint32_t dart : darts) {
     product.push_back({corner_label(net_, dart), false});

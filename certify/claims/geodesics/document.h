@@ -20,8 +20,9 @@ struct GeodesicsDocument {
   ///
   /// `systole`: one closed geodesic, and none is shorter. `spectrum`: all primitive closed geodesics of length at most
   /// `up_to`, up to orientation. `thick_thin`: all of length at most 2 arsinh 1, with the pieces of the surface cut
-  /// along them.
-  enum class Claim { systole, spectrum, thick_thin };
+  /// along them. `local_maximum`: a spectrum of which the first cluster has the shortest closed geodesics, and the
+  /// systole of any other surface near this one is less.
+  enum class Claim { systole, spectrum, thick_thin, local_maximum };
 
   /// The closed geodesic in the free homotopy class of a loop at a vertex.
   ///
@@ -53,10 +54,17 @@ struct GeodesicsDocument {
 
   Claim claim = Claim::systole;
   NetDocument net;
-  std::string up_to;  ///< A decimal as written; only for a spectrum, else empty.
+  std::string up_to;  ///< A decimal as written; only if `has_up_to()`, else empty.
   std::vector<ClosedGeodesic> geodesics;
   std::vector<Cluster> clusters;  ///< Empty for a systole.
   std::vector<Piece> pieces;      ///< Only for thick_thin.
+
+  // Only for local_maximum.
+  std::vector<std::uint32_t> basis;    ///< Shortest closed geodesics, of which the gradients are a basis.
+  std::vector<std::uint32_t> weights;  ///< Of the other shortest ones, in order.
+
+  /// Whether the list goes up to the length `up_to`.
+  [[nodiscard]] bool has_up_to() const { return claim == Claim::spectrum || claim == Claim::local_maximum; }
   bool operator==(const GeodesicsDocument&) const = default;
 };
 

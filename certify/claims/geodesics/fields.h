@@ -18,7 +18,7 @@ namespace epsnet::certify {
 
 template <>
 struct Fields<GeodesicsDocument::Claim> {
-  static constexpr std::array<std::string_view, 3> kNames{"systole", "spectrum", "thick-thin"};
+  static constexpr std::array<std::string_view, 4> kNames{"systole", "spectrum", "thick-thin", "local-maximum"};
 };
 
 template <>
@@ -59,7 +59,7 @@ template <>
 struct Fields<GeodesicsDocument> {
   static constexpr ClaimKind kKind{"geodesics", "epsnet-geodesics", "closed geodesics",
                                    "A geodesics file claims to list the systole, the spectrum up to a length, or the\n"
-                                   "thick-thin decomposition.",
+                                   "thick-thin decomposition, or that the systole has a local maximum there.",
                                    11};
   static constexpr const char* kName = "geodesics file";
   static constexpr const char* kPrefix = "";
@@ -71,10 +71,12 @@ struct Fields<GeodesicsDocument> {
         format_and_version(kKind.format),
         std::tuple(
             member("claim", document.claim), member("net", document.net),
-            member("up_to", document.up_to).only_if(claim == spectrum, for_claim).expecting("a decimal in a string"),
+            member("up_to", document.up_to).only_if(document.has_up_to(), for_claim).expecting("a decimal in a string"),
             member("geodesics", document.geodesics),
             member("clusters", document.clusters).only_if(claim != systole, for_claim),
-            member("pieces", document.pieces).only_if(claim == thick_thin, for_claim)));
+            member("pieces", document.pieces).only_if(claim == thick_thin, for_claim),
+            member("basis", List(document.basis)).only_if(claim == local_maximum, for_claim),
+            member("weights", List(document.weights)).only_if(claim == local_maximum, for_claim)));
   }
 };
 
@@ -84,7 +86,8 @@ struct Claim;
 
 /// What a geodesics document must satisfy before any rule makes sense: its net has no structure problem; indices point
 /// somewhere; words lead from a tile to itself; enclosures are positive, finite, in order; clusters are the runs that
-/// the enclosures make; every side of every geodesic bounds one piece; there is exactly what the claim needs.
+/// the enclosures make; every side of every geodesic bounds one piece; the basis has as many geodesics as there are
+/// coordinates of surfaces, and all other shortest ones have a weight; there is exactly what the claim needs.
 ///
 /// The first problem; nullopt if there is none. Exact, O(size of the document).
 [[nodiscard]] Problem structure_problem(const GeodesicsDocument& document);
@@ -99,10 +102,12 @@ struct Claim;
 /// * `simple`: they are simple or not, as claimed; those of a thick-thin decomposition are pairwise disjoint;
 /// * `equal`: the lengths of a cluster are exactly equal if the file claims so;
 /// * `complete`: none is missing (a systole: none is shorter);
-/// * `pieces`: the surface cut along them has the claimed pieces.
+/// * `pieces`: the surface cut along them has the claimed pieces;
+/// * `maximal`: the systole is greater than those of all other surfaces nearby.
 ///
-/// A systole needs only `geodesics`, `simple` and `complete`; only a thick-thin decomposition needs `pieces`. Time is
-/// proportional to the number of lifted triangles visited, about e^L for geodesics of length up to L.
+/// A systole needs only `geodesics`, `simple` and `complete`; only a thick-thin decomposition needs `pieces`, and only
+/// a local maximum `maximal`. Time is proportional to the number of lifted triangles visited, about e^L for geodesics
+/// of length up to L.
 [[nodiscard]] RuleNames own_rules(const GeodesicsDocument& document);
 
 [[nodiscard]] Claim claim_of(const GeodesicsDocument& document);

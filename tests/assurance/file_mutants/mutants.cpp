@@ -177,6 +177,7 @@ std::vector<Family> families() {
   {
     auto& b = add("geodesics of regular surfaces", 5);
     b.push_back(file("forgeries/spectrum-of-equal-lengths.json"));
+    b.push_back(file("forgeries/maximum.json"));
   }
   {
     auto& b = add("thick-thin decompositions", 20);

@@ -692,7 +692,7 @@ const std::vector<MutationOf<GeodesicsDocument>>& geodesics_mutations() {
          } else {
            file.geodesics.push_back(power);
          }
-         if (file.claim == GeodesicsDocument::Claim::spectrum) file.up_to = std::to_string(power.length.upper + 0.1);
+         if (file.has_up_to()) file.up_to = std::to_string(power.length.upper + 0.1);
          sort_geodesics(file);
        }},
       {"direction",
@@ -806,6 +806,8 @@ const std::vector<MutationOf<GeodesicsDocument>>& geodesics_mutations() {
          file.up_to.clear();
          file.clusters.clear();
          file.pieces.clear();
+         file.basis.clear();
+         file.weights.clear();
        }},
       {"a spectrum instead",
        [](GeodesicsDocument& file, Random& r) {
@@ -815,7 +817,35 @@ const std::vector<MutationOf<GeodesicsDocument>>& geodesics_mutations() {
          text << std::fixed << file.geodesics.at(file.geodesics.size() - 1).length.upper + 1e-3 * r.share();
          file.up_to = text.str();
          file.pieces.clear();
+         file.basis.clear();
+         file.weights.clear();
          make_clusters(file);
+       }},
+      {"another basis",
+       [](GeodesicsDocument& file, Random& r) {
+         // Still in order, as a rule: one of the basis and one that is not in it are exchanged.
+         std::uint32_t& element = r.of(file.basis);
+         element = r.below(file.geodesics.size());
+         std::sort(file.basis.begin(), file.basis.end());
+       }},
+      {"element of the basis",
+       [](GeodesicsDocument& file, Random& r) { change_index(r.of(file.basis), file.geodesics.size(), r); }},
+      {"a weight", [](GeodesicsDocument& file, Random& r) { r.of(file.weights) = 1 + r.below(1U << r.below(12)); }},
+      {"all weights",
+       [](GeodesicsDocument& file, Random& r) {
+         for (std::uint32_t& weight : file.weights) weight = 1 + r.below(3);
+         if (file.weights.empty()) throw NothingToChange{};
+       }},
+      {"one more or less in the basis",
+       [](GeodesicsDocument& file, Random& r) {
+         if (file.basis.empty()) throw NothingToChange{};
+         if (r.below(2) == 0) {
+           file.basis.pop_back();
+           file.weights.push_back(1);
+         } else {
+           file.basis.push_back(file.basis.back() + 1);
+           file.weights.pop_back();
+         }
        }},
   };
   return all;
