@@ -165,7 +165,7 @@ Certified<IsometriesDocument> certified_isometries(const Surface& surface, const
   IsometriesDocument document = document_of(surface, group);
   auto& list = static_cast<certify::GeodesicsDocument&>(document);
   list = group.geodesics();
-  certify::CheckOptions check = own_check(document, options.threads, options.progress);
+  certify::CheckOptions check = own_check(options.threads, options.progress);
   check.max_precision = kFewBits;
   certify::Certificate certificate = certify::check(document, check);
   if (certificate.verdict == certify::Verdict::undecided && certificate.rule != kNoOthers) {
