@@ -19,6 +19,8 @@ namespace {
 
 /// Comparisons of points that differ, of which some squares may have many, as in very thin collars: some seconds.
 constexpr std::size_t kMostDifferent = 3'000'000;
+/// Darts that are followed, for each lift that may be found: many start at a vertex of a net with few vertices.
+constexpr long kDartsOfALift = 24;
 constexpr double kSquares = 1L << 30;
 constexpr double kError = 1.0 / (1L << 8);  ///< Of a place, in squares.
 
@@ -105,7 +107,8 @@ Loops<R>::Loops(NetRules<R>& net, const Interval& bound, long most_lifts)
       thick_(1 + square(sinh(Interval(net.net().epsilon)))),
       reach_(bound * thick_),
       rough_reach_(reach_),
-      lifts_left_(most_lifts) {
+      lifts_left_(most_lifts),
+      darts_left_(kDartsOfALift * most_lifts) {
   prepare();
   for (Index v = 0; v < origin_.size(); ++v) find_at(v);
   join_all();
@@ -114,10 +117,14 @@ Loops<R>::Loops(NetRules<R>& net, const Interval& bound, long most_lifts)
 template <class R>
 void Loops<R>::prepare() {
   const Net& net = net_.net();
-  // As many lifts as fit into so many disks by area: 2π(cosh D − 1), cosh D = 1 + 2 sinh²(D/2), of −2πχ each V.
+  // As many lifts as fit into so many disks by area: 2π(cosh D − 1), cosh D = 1 + 2 sinh²(D/2), of −2πχ each V. From
+  // each lift of a vertex its darts lead on.
   const auto vertices = static_cast<long>(net.vertices.size());
   const auto minus_euler = static_cast<long>(net.triangles.size() / 2) - vertices;
-  if (is_less(Interval(lifts_left_), 2 * reach_ * vertices * vertices / minus_euler) == Answer::yes) leave_loops_out();
+  const Interval lifts_of_each = 2 * reach_ * vertices / minus_euler;
+  if (is_less(Interval(lifts_left_), lifts_of_each * vertices) == Answer::yes ||
+      is_less(Interval(darts_left_), lifts_of_each * static_cast<long>(net_.darts())) == Answer::yes)
+    leave_loops_out();
   leaving_.resize(net.vertices.size());
   for (const Vertex& vertex : net.vertices) {
     const auto m = enclosure(vertex.z.m);
@@ -146,7 +153,7 @@ void Loops<R>::prepare() {
 
 template <class R>
 Answer Loops<R>::is_left_out(Index v, const RoughPlace& place, Index w, const RoughInterval& farthest,
-                             const std::vector<Lift>& lifts, const PointTable& known) const {
+                             const std::deque<Lift>& lifts, const PointTable& known) const {
   const Answer far = is_less(farthest, norm(place.n - rough_origin_[v] * place.d));
   if (far == Answer::yes) return far;
   const auto is_same = [&](std::size_t k) { return are_same(lifts[k].rough_place, place, w); };
@@ -154,18 +161,20 @@ Answer Loops<R>::is_left_out(Index v, const RoughPlace& place, Index w, const Ro
 }
 
 template <class R>
-std::vector<typename Loops<R>::Lift> Loops<R>::lifts(Index first, const Interval& reach) {
+std::deque<typename Loops<R>::Lift> Loops<R>::lifts(Index first, const Interval& reach) {
   std::vector<Interval> farthest;
   std::vector<RoughInterval> rough_farthest;
   for (const Interval& gap : gap_) {
     farthest.push_back(reach * gap * gap_[first]);
     rough_farthest.emplace_back(farthest.back());
   }
-  std::vector<Lift> lifts;
+  std::deque<Lift> lifts;
   PointTable table;
   lifts.push_back({first, {}, 0, 0, {}, rounded(self(first))});
   table.insert(first, lifts[0].rough_place, 0);
   for (std::size_t i = 0; i < lifts.size(); ++i) {
+    darts_left_ -= static_cast<long>(leaving_[lifts[i].vertex].size());
+    if (darts_left_ < 0) leave_loops_out();
     for (const Index dart : leaving_[lifts[i].vertex]) {
       const Step& step = steps_[dart];
       const Index v = step.end;
@@ -189,14 +198,15 @@ std::vector<typename Loops<R>::Lift> Loops<R>::lifts(Index first, const Interval
 
 template <class R>
 void Loops<R>::find_at(Index first) {
-  const std::vector<Lift> lifts = this->lifts(first, reach_);
+  const std::deque<Lift> lifts = this->lifts(first, reach_);
+  const std::size_t empty = paths_.size();
+  for (const Lift& lift : lifts) paths_.push_back({empty + lift.parent, lift.dart});
   for (std::size_t i = 1; i < lifts.size(); ++i) {
     const Lift& lift = lifts[i];
     if (lift.vertex != first ||
         !decided(is_less(squared_half_length(lift.frame), bound_), "whether a loop is too long"))
       continue;
-    Loop loop{first, lift.frame, place(lift), {}, 0, lift.rough_frame, lift.rough_place};
-    for (std::size_t k = i; k != 0; k = lifts[k].parent) loop.darts.push_back(lifts[k].dart);
+    Loop loop{first, lift.frame, place(lift), empty + i, 0, lift.rough_frame, lift.rough_place};
     table_.insert(first, loop.place, loops_.size());
     loops_.push_back(std::move(loop));
   }
@@ -270,7 +280,8 @@ bool Loops<R>::is_near_axis(std::size_t i) const {
 template <class R>
 Isometry<R> Loops<R>::exact(const Loop& loop) const {
   Isometry<R> result;
-  for (const Index dart : loop.darts) result = net_.product(net_.element(dart), result);
+  for (std::size_t k = loop.path; paths_[k].before != k; k = paths_[k].before)
+    result = net_.product(net_.element(paths_[k].dart), result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <unordered_map>
@@ -135,8 +136,8 @@ class Loops {
   struct Loop {
     Index vertex;
     Motion g;
-    Place place;               ///< Where g takes the vertex.
-    std::vector<Index> darts;  ///< A path along which it is a product.
+    Place place;       ///< Where g takes the vertex.
+    std::size_t path;  ///< Along which it is a product.
     std::size_t inverse = 0;
     Isometry<RoughInterval> rough_g;
     RoughPlace rough_place;
@@ -164,7 +165,7 @@ class Loops {
     RoughPlace rough_place;
   };
 
-  [[nodiscard]] const std::vector<Loop>& all() const { return loops_; }
+  [[nodiscard]] const std::deque<Loop>& all() const { return loops_; }
   /// Elements of one closed geodesic, run through equally often, have one representative.
   [[nodiscard]] std::size_t representative(std::size_t i) const;
   /// Those that have this representative.
@@ -191,7 +192,7 @@ class Loops {
   [[nodiscard]] Isometry<R> exact(const Loop& loop) const;
   /// The vertex itself, and all lifts of vertices no farther from it than D, sinh²(D/2) = reach, and perhaps some that
   /// are hardly farther. Throws TooLarge, and LeftOut.
-  [[nodiscard]] std::vector<Lift> lifts(Index first, const Interval& reach);
+  [[nodiscard]] std::deque<Lift> lifts(Index first, const Interval& reach);
   /// To the disk with the vertex in its centre.
   [[nodiscard]] Motion to_centre(Index v) const {
     const Interval scale = 1 / sqrt(gap_[v]);
@@ -203,7 +204,7 @@ class Loops {
   void find_at(Index first);
   /// Whether a lift of vertex w is farther from vertex v than the number says or one of those known, by a few digits.
   [[nodiscard]] Answer is_left_out(Index v, const RoughPlace& place, Index w, const RoughInterval& farthest,
-                                   const std::vector<Lift>& lifts, const PointTable& known) const;
+                                   const std::deque<Lift>& lifts, const PointTable& known) const;
   void join_all();
   /// |n − zd|² for the point z of v.
   [[nodiscard]] Interval moved(Index v, const Place& place) const { return norm(place.n - origin_[v] * place.d); }
@@ -228,6 +229,7 @@ class Loops {
   Interval reach_;  ///< sinh²(D/2)
   RoughInterval rough_reach_;
   long lifts_left_;
+  long darts_left_;
   std::vector<std::vector<Index>> leaving_;  ///< Darts, by vertex.
   std::vector<Step> steps_;                  ///< By dart.
   std::vector<Complex<Interval>> origin_;    ///< By vertex: where it is in its chart, and 1 − |z|².
@@ -236,7 +238,14 @@ class Loops {
   std::vector<Complex<RoughInterval>> rough_origin_;
   std::vector<RoughInterval> rough_gap_;
   std::vector<RoughInterval> rough_apart_;
-  std::vector<Loop> loops_;
+  /// Paths from vertices, each one dart longer than another one; the empty ones are their own. Those of the powers of a
+  /// short loop would have millions of darts, each for itself.
+  struct Path {
+    std::size_t before;
+    Index dart;
+  };
+  std::vector<Path> paths_;
+  std::deque<Loop> loops_;  ///< Of a kilobyte and more each: a vector would take twice as much memory when it grows.
   PointTable table_;
   mutable std::vector<std::size_t> parent_;  ///< Of a class.
   std::vector<std::vector<std::size_t>> members_;

@@ -1,6 +1,8 @@
+#include <cstdint>
 #include <random>
 #include <utility>
 
+#include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/exact_conjugacy.h"
 #include "netgen/isometries/isometries.h"
@@ -151,31 +153,41 @@ certify::ComparisonDocument isometry_document(const Surface& first, const Surfac
 
 Certified<IsometriesDocument> certified_isometries(const Surface& surface, const IsometryGroup& group,
                                                    const IsometryOptions& options) {
-  // Short lists may become longer: those of covers often do not join all parts of the surface.
-  constexpr int kMostTries = 9;
-  constexpr int kMostTriesOfALongList = 5;
-  constexpr std::size_t kLongList = 200;
+  // Only that there are no others depends on how many closed geodesics there are, so a short list may become longer:
+  // that of a cover often does not join all parts of the surface. On thin surfaces no list joins them, so what longer
+  // ones take is limited: some two seconds, together.
+  constexpr const char* kNoOthers = "most";
+  constexpr int kMostSteps = 8;
   constexpr double kStep = 0.5;
+  constexpr long kFewBits = 256;
   constexpr long kMostBits = 1024;
+  constexpr std::uint64_t kMostWork = 2'000'000'000;
   IsometriesDocument document = document_of(surface, group);
-  certify::CheckOptions check = own_check(document, options.threads, options.progress);
-  check.max_precision = kMostBits;
-  static_cast<certify::GeodesicsDocument&>(document) = group.geodesics();
-  for (int tries = 1;; ++tries) {
-    try {
-      certify::Certificate certificate = proof_of(document, check);
-      return {std::move(document), std::move(certificate)};
-    } catch (const NotCertifiedError& error) {
-      // Only that there are no others depends on how many closed geodesics there are.
-      const int most = document.geodesics.size() > kLongList ? kMostTriesOfALongList : kMostTries;
-      if (error.certificate().rule != "most" || tries >= most) throw;
-    }
+  auto& list = static_cast<certify::GeodesicsDocument&>(document);
+  list = group.geodesics();
+  certify::CheckOptions check = own_check(options.threads, options.progress);
+  check.max_precision = kFewBits;
+  certify::Certificate certificate = certify::check(document, check);
+  if (certificate.verdict == certify::Verdict::undecided && certificate.rule != kNoOthers) {
+    check.max_precision = kMostBits;
+    certificate = certify::check(document, check);
+  }
+  std::uint64_t work = 0;
+  for (int step = 0; step < kMostSteps && certificate.rule == kNoOthers && work < kMostWork; ++step) {
     GeodesicsOptions geodesics;
     geodesics.threads = options.threads;
     geodesics.progress = options.progress;
-    const double length = static_cast<double>(Length(document.up_to).value()) + kStep;
-    static_cast<certify::GeodesicsDocument&>(document) = unproved::spectrum(surface, Length(length), geodesics);
+    const std::size_t size = list.geodesics.size();
+    list = unproved::spectrum(surface, Length(static_cast<double>(Length(list.up_to).value()) + kStep), geodesics);
+    if (list.geodesics.size() == size) continue;
+    check.max_work = kMostWork - work;
+    certify::Certificate longer = certify::check(document, check);
+    work += longer.counts.work;
+    // A list that takes all the work that is left says less than the one before.
+    if (longer.verdict == certify::Verdict::verified || work < kMostWork) certificate = std::move(longer);
   }
+  if (certificate.verdict != certify::Verdict::verified) throw NotCertifiedError(std::move(certificate));
+  return {std::move(document), std::move(certificate)};
 }
 
 }  // namespace epsnet

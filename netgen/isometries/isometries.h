@@ -101,7 +101,7 @@ struct IsometryOptions {
 
 /// Returns the isometry group of a surface as a file, proved: with the closed geodesics from which the isometries were
 /// told, or longer ones until they leave room for no other isometry. Throws NotCertifiedError if closed geodesics that
-/// are 2 longer do not suffice, or 4 if they are few, and as `isometries`. Time is that of the spectrum and its
+/// are 4 longer do not suffice, or take too much work, and as `isometries`. Time is that of the spectrum and its
 /// certificate, and the exact examination of the group's generators.
 [[nodiscard]] Certified<certify::IsometriesDocument> certified_isometries(const Surface& surface,
                                                                           const IsometryGroup& group,

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <concepts>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,19 +41,11 @@ class NotCertifiedError : public NetError {
   certify::Certificate certificate_;
 };
 
-/// Returns how a document that was made here is checked. A net, a list of curves or of isometries may take the work
-/// that a file of its size may, so that `certify` verifies the file without options. Other claims have no limit of
-/// work: the limit protects from the files of others, and would refuse a true list that is long. Progress is that of
-/// the rules, as "certificate: RULE".
-[[nodiscard]] inline certify::CheckOptions own_check(const certify::AnyClaim& document, unsigned threads = 0,
-                                                     const Progress& progress = {}) {
-  const bool as_a_file = document.visit([]<class Document>(const Document&) {
-    return std::same_as<Document, certify::NetDocument> || std::same_as<Document, certify::CurvesDocument> ||
-           std::same_as<Document, certify::IsometriesDocument>;
-  });
+/// Returns how a document that was made here is checked: as `certify` checks its file without options, within the work
+/// that a file of its size may take. Progress is that of the rules, as "certificate: RULE".
+[[nodiscard]] inline certify::CheckOptions own_check(unsigned threads = 0, const Progress& progress = {}) {
   certify::CheckOptions result;
   result.threads = threads;
-  if (!as_a_file) result.max_work = std::numeric_limits<std::uint64_t>::max();
   if (progress) {
     result.progress = [progress](std::string_view rule, double share) {
       progress("certificate: " + std::string(rule), share);
@@ -76,7 +65,7 @@ class NotCertifiedError : public NetError {
 /// Likewise, with the options of own_check.
 [[nodiscard]] inline certify::Certificate proof_of(const certify::AnyClaim& document, unsigned threads = 0,
                                                    const Progress& progress = {}) {
-  return proof_of(document, own_check(document, threads, progress));
+  return proof_of(document, own_check(threads, progress));
 }
 
 /// Returns a document with its certificate, likewise.

@@ -1187,6 +1187,22 @@ def thick_thin_without_its_shortest_geodesic():
 
 
 @kind
+def spectrum_at_a_vertex_of_many_edges():
+    """No closed geodesic is as short. From the only vertex 282 darts lead on, so each lift has hundreds of neighbours."""
+    surface = ["named", "wiman-24"]
+    result = epsnet("spectrum", "--up-to", "1", surface=surface)
+    result.update(net=epsnet("eccentricity", "0", surface=surface), up_to="2")
+    return result
+
+
+@kind
+def thick_thin_of_powers():
+    """A true one of three geodesics so short that ten thousands of their powers are loops at one vertex."""
+    return epsnet("thick-thin", surface=["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths", "1e-4,1e-4,1e-4",
+                                         "--seed", "1"])
+
+
+@kind
 def members_many():
     document = net("octagon-1-vertex")
     document.update((f"m{i}", 0) for i in range(80_000))

@@ -103,6 +103,8 @@ expect bound-of-many-cells ''
 expect thick-thin-without-its-shortest-geodesic ''
 expect thick-thin-of-long-words VERIFIED
 expect thick-thin-of-a-long-conjugate ''
+expect spectrum-at-a-vertex-of-many-edges VERIFIED
+expect thick-thin-of-powers VERIFIED
 expect empty-arrays-many MALFORMED
 expect members-many MALFORMED
 

@@ -172,6 +172,17 @@ TEST_F(Frames, OfNoIsometryAreDroppedWhereNumbersTell) {
   }
 }
 
+TEST_F(Frames, AreAsManyForEachCrossingPointOfAGeodesic) {
+  for (int trial = 0; trial < 50; ++trial) {
+    const CrossingGeodesics list = any_list(random_);
+    const CrossingGeodesics both = together(list, image_of(list, trial % 2 == 0 ? 1 : -1, random_).list);
+    for (std::size_t i = 0; i < both.points.size(); ++i) {
+      const std::uint64_t frames = possible_frames(plane_, both, i, 0);
+      for (std::size_t k = 1; k < both.points[i].size(); ++k) EXPECT_EQ(possible_frames(plane_, both, i, k), frames);
+    }
+  }
+}
+
 // Crossing points.
 
 GeodesicsDocument list_of(const std::string& name) {

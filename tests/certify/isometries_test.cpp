@@ -290,8 +290,8 @@ TEST(Isometries, GeodesicsOfWhichNoTwoCrossDecideNothing) {
   EXPECT_THAT(certificate.message, HasSubstr("no two of the geodesics cross"));
 }
 
-TEST(Isometries, CrossingPointsAreComparedAsLongAsThereIsWork) {
-  // None of them tells that there is nothing but the identity: all are compared, with more and more bits.
+TEST(Isometries, GeodesicsAreAskedAsLongAsThereIsWork) {
+  // None of them tells that there is nothing but the identity: all are asked, with more and more bits.
   Document document = octagon();
   document.isometries.clear();
   document.order = 1;
@@ -302,13 +302,15 @@ TEST(Isometries, CrossingPointsAreComparedAsLongAsThereIsWork) {
   };
   const std::uint64_t all = checked(document).counts.work;
   EXPECT_EQ(message_with(all), "there are at most 2, with 256 bits");
-  std::size_t points = 0;
+  // One for each length is asked, at one of its crossing points.
+  const std::string asked = " of " + std::to_string(document.clusters.size()) + " geodesics; ";
+  std::size_t within = 0;
   for (std::uint64_t part = 1; part < 50; ++part) {
     const std::string message = message_with(all * part / 50);
     EXPECT_THAT(message, HasSubstr("needs more work than a file of this size may take"));
-    if (message.find(" crossing points, which may take ") != std::string::npos) ++points;
+    if (message.find(asked) != std::string::npos) ++within;
   }
-  EXPECT_GT(points, 2U);
+  EXPECT_GT(within, 0U);
 }
 
 // Structure.

@@ -41,12 +41,14 @@ TEST(Prove, WhatIsNotVerifiedIsNotReturned) {
   }
 }
 
-TEST(Prove, OnlyNetsKeepTheLimitOfWorkOfFiles) {
+TEST(Prove, TheLimitsAreThoseOfFiles) {
   const certify::CheckOptions of_files;
-  EXPECT_EQ(own_check(certify::NetDocument()).max_work, of_files.max_work);
-  EXPECT_GT(own_check(GeodesicsDocument()).max_work, std::uint64_t{1} << 60);
-  EXPECT_GT(own_check(certify::ClaimDocument(certify::BoundDocument())).max_work, std::uint64_t{1} << 60);
-  EXPECT_EQ(own_check(GeodesicsDocument(), 3).threads, 3U);
+  const certify::CheckOptions own = own_check(3);
+  EXPECT_EQ(own.max_work, of_files.max_work);
+  EXPECT_EQ(own.max_visits, of_files.max_visits);
+  EXPECT_EQ(own.max_triangles, of_files.max_triangles);
+  EXPECT_EQ(own.max_precision, of_files.max_precision);
+  EXPECT_EQ(own.threads, 3U);
 }
 
 TEST(Prove, ProgressNamesTheCertificateAndCancels) {

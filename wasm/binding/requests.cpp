@@ -236,7 +236,7 @@ std::string text_of(const certify::program::FileReport& report) {
 /// {"certificate": …, MEMBERS}, with the file and the text of the certificate. Throws NetError unless it is verified.
 Answer proved(const ClaimDocument& document, Json members, const Progress& progress) {
   std::string text = text_of(document);
-  const certify::program::FileReport report = check(text, {.options = own_check(document)}, progress);
+  const certify::program::FileReport report = check(text, {.options = own_check()}, progress);
   if (exit_code(report) != certify::program::kExitVerified) {
     throw NetError("not certified: " + (report.error.empty() ? verdict_line(report, "") : report.error));
   }

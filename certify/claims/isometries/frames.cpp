@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/claims/geodesics/fields.h"
+#include "certify/lifted/interval_index.h"
 #include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
 
@@ -137,14 +138,47 @@ struct Frame : Passage {
   int orientation;
 };
 
-/// Operations of balls for a look at two crossing points, and for their distances.
+/// Operations of balls for a look at two crossing points, and for their distances; for a point in an index, and a look
+/// into one.
 constexpr std::uint64_t kAlikeOperations = 10;
 constexpr std::uint64_t kDistanceOperations = 36;
+constexpr std::uint64_t kIndexOperations = 20;
+
+/// The crossing points of each geodesic by their angles: of many points only some have the angle of a given one.
+/// Those of a geodesic are sorted when they are first asked for.
+class PointsByAngle {
+ public:
+  PointsByAngle(const LiftedPlane& plane, const CrossingGeodesics& geodesics)
+      : plane_(plane), geodesics_(geodesics), indexes_(geodesics.points.size()) {}
+
+  /// The numbers of all points of a geodesic at which the cosine may be that of `x` times 1 or −1, and perhaps of
+  /// others, in order.
+  [[nodiscard]] std::vector<std::uint32_t> near(std::size_t geodesic, const CrossingPoint& x, int orientation) {
+    plane_.spend(kIndexOperations);
+    if (!indexes_[geodesic]) add(geodesic);
+    return indexes_[geodesic]->near(outer_interval(orientation * x.cosine));
+  }
+
+ private:
+  void add(std::size_t geodesic) {
+    const auto& points = geodesics_.points[geodesic];
+    plane_.spend(kIndexOperations, points.size());
+    plane_.keep(1, points.size());
+    IntervalIndex& index = indexes_[geodesic].emplace();
+    for (std::uint32_t k = 0; k < points.size(); ++k) index.insert(outer_interval(points[k].cosine), k);
+  }
+
+  const LiftedPlane& plane_;
+  const CrossingGeodesics& geodesics_;
+  std::vector<std::optional<IntervalIndex>> indexes_;
+};
 
 class Comparison {
  public:
-  Comparison(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from, const Frame& to)
-      : plane_(plane), geodesics_(geodesics), from_(from), to_(to) {}
+  /// All must live longer.
+  Comparison(const LiftedPlane& plane, const CrossingGeodesics& geodesics, PointsByAngle& by_angle, const Passage& from,
+             const Frame& to)
+      : plane_(plane), geodesics_(geodesics), by_angle_(by_angle), from_(from), to_(to) {}
 
   /// Whether an isometry may take one frame to the other: it takes crossing points to such points.
   [[nodiscard]] bool possible() const {
@@ -152,18 +186,17 @@ class Comparison {
     const auto& there = points(to_);
     if (!alike(here[from_.point], there[to_.point])) return false;
     return std::all_of(here.begin(), here.end(), [&](const CrossingPoint& x) {
-      plane_.spend(kAlikeOperations, there.size());
-      return std::any_of(there.begin(), there.end(), [&](const CrossingPoint& y) { return may_be_image(x, y); });
+      const std::vector<std::uint32_t> near = points_near(x);
+      return std::any_of(near.begin(), near.end(), [&](std::uint32_t k) { return may_be_image(x, there[k]); });
     });
   }
 
   /// The points to which an isometry that takes one frame to the other may take a point.
   [[nodiscard]] std::vector<const CrossingPoint*> images(const CrossingPoint& x) const {
     const auto& there = points(to_);
-    plane_.spend(kAlikeOperations, there.size());
     std::vector<const CrossingPoint*> result;
-    for (const CrossingPoint& y : there) {
-      if (may_be_image(x, y)) result.push_back(&y);
+    for (const std::uint32_t k : points_near(x)) {
+      if (may_be_image(x, there[k])) result.push_back(&there[k]);
     }
     return result;
   }
@@ -177,6 +210,13 @@ class Comparison {
   }
 
  private:
+  /// The points along the other geodesic that may have the angle of a point.
+  [[nodiscard]] std::vector<std::uint32_t> points_near(const CrossingPoint& x) const {
+    std::vector<std::uint32_t> result = by_angle_.near(to_.geodesic, x, to_.orientation);
+    plane_.spend(kAlikeOperations, result.size());
+    return result;
+  }
+
   [[nodiscard]] bool may_be_image(const CrossingPoint& x, const CrossingPoint& y) const {
     return alike(x, y) && as_far(x, y);
   }
@@ -192,6 +232,7 @@ class Comparison {
 
   const LiftedPlane& plane_;
   const CrossingGeodesics& geodesics_;
+  PointsByAngle& by_angle_;
   const Passage& from_;
   const Frame& to_;
 };
@@ -204,8 +245,8 @@ bool may_correspond(const CrossingGeodesics& geodesics, std::size_t one, std::si
 
 /// The frames, of geodesics from `first_target` on, to which an isometry may take the frame of a geodesic at one of its
 /// points.
-std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from,
-                                   std::size_t first_target = 0) {
+std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
+                                   PointsByAngle& by_angle, const Passage& from, std::size_t first_target = 0) {
   const std::size_t size = geodesics.points[from.geodesic].size();
   std::vector<Frame> result;
   plane.spend(1, geodesics.points.size());
@@ -215,7 +256,7 @@ std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeode
       plane.spend(4 * kAlikeOperations);
       for (const auto& [direction, orientation] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
         const Frame to{{i, k}, direction, orientation};
-        if (Comparison(plane, geodesics, from, to).possible()) result.push_back(to);
+        if (Comparison(plane, geodesics, by_angle, from, to).possible()) result.push_back(to);
       }
     }
   }
@@ -226,6 +267,7 @@ std::vector<Frame> images_of_frame(const LiftedPlane& plane, const CrossingGeode
 /// cross them, and so on.
 class FollowedIsometry {
  public:
+  /// `plane` and `geodesics` must live longer.
   FollowedIsometry(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from, const Frame& to)
       : plane_(plane), geodesics_(geodesics) {
     take(from, to);
@@ -235,15 +277,15 @@ class FollowedIsometry {
   [[nodiscard]] bool goes_on() const { return compared_ < frames_.size(); }
 
   /// Compares one more geodesic with its image, and returns whether there still may be such an isometry.
-  [[nodiscard]] bool step() {
+  [[nodiscard]] bool step(PointsByAngle& by_angle) {
     const auto [from, to] = frames_[compared_++];
     if (!may_correspond(geodesics_, from.geodesic, to.geodesic)) return false;
-    const Comparison comparison(plane_, geodesics_, from, to);
+    const Comparison comparison(plane_, geodesics_, by_angle, from, to);
     for (const CrossingPoint& x : geodesics_.points[from.geodesic]) {
       const auto images = comparison.images(x);
       if (images.empty()) return false;
       // Of several ones it is not known which one is the image.
-      if (images.size() == 1 && !take_other(x, *images.front(), to)) return false;
+      if (images.size() == 1 && !take_other(by_angle, x, *images.front(), to)) return false;
     }
     return true;
   }
@@ -261,7 +303,8 @@ class FollowedIsometry {
   }
 
   /// Takes the geodesic that crosses at x to the one that crosses at y, and returns whether that may be.
-  [[nodiscard]] bool take_other(const CrossingPoint& x, const CrossingPoint& y, const Frame& to) {
+  [[nodiscard]] bool take_other(PointsByAngle& by_angle, const CrossingPoint& x, const CrossingPoint& y,
+                                const Frame& to) {
     const int direction = to.orientation * to.direction * x.turn * y.turn;
     const Passage other{x.other, x.place};
     const Frame image{{y.other, y.place}, direction, to.orientation};
@@ -272,7 +315,7 @@ class FollowedIsometry {
     }
     const auto& [from, taken_to] = frames_[known->second];
     if (taken_to.geodesic != image.geodesic || taken_to.direction != image.direction) return false;
-    return Comparison(plane_, geodesics_, from, taken_to)
+    return Comparison(plane_, geodesics_, by_angle, from, taken_to)
         .as_far(geodesics_.points[other.geodesic][other.point], geodesics_.points[image.geodesic][image.point]);
   }
 
@@ -326,7 +369,8 @@ std::optional<std::vector<std::vector<CrossingPoint>>> crossing_points(const Mov
 
 std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::size_t geodesic,
                               std::size_t point) {
-  return images_of_frame(plane, geodesics, {geodesic, point}).size();
+  PointsByAngle by_angle(plane, geodesics);
+  return images_of_frame(plane, geodesics, by_angle, {geodesic, point}).size();
 }
 
 namespace {
@@ -335,8 +379,9 @@ namespace {
 /// `enough` are left.
 std::uint64_t followed_from(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Passage& from,
                             std::uint64_t enough, std::size_t first_target = 0) {
+  PointsByAngle by_angle(plane, geodesics);
   std::vector<FollowedIsometry> left;
-  for (const Frame& to : images_of_frame(plane, geodesics, from, first_target))
+  for (const Frame& to : images_of_frame(plane, geodesics, by_angle, from, first_target))
     left.emplace_back(plane, geodesics, from, to);
   // Step by step with all: most of those that are no isometries end early.
   for (bool goes_on = true; goes_on && left.size() > enough;) {
@@ -344,7 +389,7 @@ std::uint64_t followed_from(const LiftedPlane& plane, const CrossingGeodesics& g
     std::vector<FollowedIsometry> next;
     for (FollowedIsometry& isometry : left) {
       if (isometry.goes_on()) {
-        if (!isometry.step()) continue;
+        if (!isometry.step(by_angle)) continue;
         goes_on = true;
       }
       next.push_back(std::move(isometry));
@@ -411,15 +456,6 @@ bool leaves_no_frame(const LiftedPlane& plane, const CrossingGeodesics& first, c
 
 bool no_isometry(const LiftedPlane& plane, const CrossingGeodesics& first, const CrossingGeodesics& other) {
   return leaves_no_frame(plane, first, other) || leaves_no_frame(plane, other, first);
-}
-
-double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::size_t geodesic) {
-  double like = 0;
-  for (std::size_t i = 0; i < geodesics.points.size(); ++i) like += may_correspond(geodesics, geodesic, i) ? 1 : 0;
-  const auto size = static_cast<double>(geodesics.points[geodesic].size());
-  const double pairs = size * size * (kAlikeOperations + kDistanceOperations);
-  return 4 * like * size * (pairs + kAlikeOperations) *
-         static_cast<double>(ball_work(static_cast<std::uint64_t>(plane.precision())));
 }
 
 }  // namespace epsnet::certify

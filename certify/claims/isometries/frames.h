@@ -68,8 +68,4 @@ class GeodesicsInNet {
 [[nodiscard]] bool no_isometry(const LiftedPlane& plane, const CrossingGeodesics& first,
                                const CrossingGeodesics& other);
 
-/// The work that possible_frames takes at most, for one point of the geodesic. O(geodesics).
-[[nodiscard]] double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
-                                      std::size_t geodesic);
-
 }  // namespace epsnet::certify
