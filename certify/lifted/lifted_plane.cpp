@@ -134,7 +134,7 @@ void LiftedPlane::find_disks(const LabelParts& parts, slong cap) {
     budget_.spend(to_balls_work(bits(parts.frames[c]) + bits(disk.centre), static_cast<std::uint64_t>(precision_)));
     keep(5);
     disks_.back().emplace();
-    disks_.back()->base = to_balls(compose(inverse(parts.frames[c]), translation_to(disk.centre)), precision_);
+    disks_.back()->base = base_of(disk, parts.frames[c], precision_);
     disks_.back()->sinh_radius = disk.sinh_radius;
   }
 }

@@ -207,7 +207,7 @@ LabelEvaluator::LabelEvaluator(const NetDocument& document, const LabelParts& pa
   for (const NetDocument::Label& label : document.labels) add(label.from, label.to, label.word);
   if (!document.collars) return;
   for (const NetDocument::Collar& collar : *document.collars) {
-    const std::uint32_t chart = document.vertices[collar.vertices[0]].chart;
+    const std::uint32_t chart = chart_of_core(document, collar);
     add(chart, chart, collar.core);
   }
 }

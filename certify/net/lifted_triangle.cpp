@@ -169,15 +169,14 @@ const Ball& LiftedTriangle::measure_cross_ratio(const NetDocument& document, con
 }
 
 Interval quotient(const Ball& numerator, const Ball& denominator) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!is_finite(numerator) || !is_finite(denominator)) return {0, kInfinity};
   return quotient(fast_interval(numerator), fast_interval(denominator));
 }
 
 Interval quotient(Interval n, Interval d) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!(d.upper > 0)) return {0, kInfinity};
-  const double lower = n.lower > 0 ? std::max(below(n.lower / d.upper), 0.0) : 0.0;
+  // NaN where an end is, or two infinite ones are divided: nothing is known.
+  const double lower = std::max(below(n.lower / d.upper), 0.0);
   const double upper = d.lower > 0 ? above(std::max(n.upper, 0.0) / d.lower) : kInfinity;
   return {std::isnan(lower) ? 0 : lower, std::isnan(upper) ? kInfinity : upper};
 }
@@ -187,7 +186,6 @@ Interval length_interval(Interval squared_sinh, slong factor) {
   const auto end = [&](double value) {
     return outer_interval(factor * asinh(sqrt(Ball::exactly(std::max(value, 0.0)))));
   };
-  if (std::isinf(squared_sinh.upper)) return {end(squared_sinh.lower).lower, squared_sinh.upper};
   return {end(squared_sinh.lower).lower, end(squared_sinh.upper).upper};
 }
 

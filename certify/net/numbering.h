@@ -39,6 +39,11 @@ namespace epsnet::certify {
   return looked_up(document.vertices, triangle_at(document, triangle).vertex[0], "there is no vertex").chart;
 }
 
+/// The chart of a collar's first vertex, from which its core leads back to it.
+[[nodiscard]] inline std::uint32_t chart_of_core(const NetDocument& document, const NetDocument::Collar& collar) {
+  return looked_up(document.vertices, collar.vertices[0], "there is no vertex").chart;
+}
+
 /// Whether the tiles are polygons over a number field.
 [[nodiscard]] inline bool is_over_field(const SurfaceDocument& surface) { return !surface.field.polynomial.empty(); }
 

@@ -192,9 +192,8 @@ class NetRows {
     }
     const Interval length{collar.length[0], collar.length[1]};
     if (!is_length(length)) return "the length " + to_string(length) + " is not an interval of numbers >= 0";
-    const std::uint32_t v = collar.vertices[0];
-    const std::uint32_t tile = net_.charts[net_.vertices[v].chart].tile;
-    return word_problem(sides_, collar.core, tile, tile, "vertex " + std::to_string(v));
+    const std::uint32_t tile = net_.charts[chart_of_core(net_, collar)].tile;
+    return word_problem(sides_, collar.core, tile, tile, "vertex " + std::to_string(collar.vertices[0]));
   }
 
  private:

@@ -530,6 +530,10 @@ SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads, c
   }
 }
 
+BallIsometry base_of(const InscribedDisk& disk, const ExactIsometry& frame, slong precision) {
+  return to_balls(compose(inverse(frame), translation_to(disk.centre)), precision);
+}
+
 std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, long cap, const Budget& budget) {
   const ExactTile exact = exact_tile(tile, budget);
   std::uint64_t work = 0;

@@ -27,6 +27,9 @@ struct InscribedDisk {
   Ball sinh_radius;
 };
 
+/// From 0 to the centre of a disk, in the coordinates of a chart of its tile that has this frame.
+[[nodiscard]] BallIsometry base_of(const InscribedDisk& disk, const ExactIsometry& frame, slong precision);
+
 /// A disk inside a strictly convex tile, to be used as a neighbourhood that no isometry of the group but 1 moves less
 /// than twice its radius. Any tile has one; it is found with more and more bits. `cap` bounds the bits: nothing then.
 [[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, long cap,

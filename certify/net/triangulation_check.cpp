@@ -236,8 +236,6 @@ struct Item {
   Tri holds = Tri::unknown;
 };
 
-bool has_no_label(const NetDocument::Triangle& triangle) { return triangle.label[0] == 0 && triangle.label[1] == 0; }
-
 /// The equations of darts of triangles from the first to before the last one that are not trivial, each with its first
 /// dart, in the order of these.
 std::vector<Item> collect(const NetDocument& document, std::size_t first, std::size_t last) {
@@ -248,7 +246,6 @@ std::vector<Item> collect(const NetDocument& document, std::size_t first, std::s
     for (std::uint32_t dart = 3 * t; dart < 3 * t + 3; ++dart) {
       const std::uint32_t other = triangle.opposite[dart - 3 * t];
       if (other < dart) continue;
-      if (has_no_label(triangle) && has_no_label(triangle_at(document, other / 3))) continue;
       const std::uint32_t a = corner_label(document, dart);
       const std::uint32_t b = corner_label(document, next_dart(other));
       const std::uint32_t c = corner_label(document, next_dart(dart));
@@ -383,7 +380,7 @@ class GluingChecker {
     for_each_parallel(charts_.size(), threads_, [&](unsigned, std::size_t i) {
       const auto& disk = disk_of(charts_[i]);
       if (disk) {
-        bases[i] = to_balls(compose(inverse(parts_.frames[charts_[i]]), translation_to(disk->centre)), precision);
+        bases[i] = base_of(*disk, parts_.frames[charts_[i]], precision);
       }
     });
     return bases;

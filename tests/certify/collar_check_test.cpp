@@ -426,9 +426,56 @@ TEST(CollarCheck, TheShortestCoreIsThatOfTheShorterCollar) {
     const CollarsOutcome outcome = check_collars(document, setting.evaluator, setting.parts, 8192);
     ASSERT_TRUE(outcome.shortest_core.has_value());
     EXPECT_NEAR(outcome.shortest_core->lower, 0.125, 1e-13);
-    EXPECT_NEAR(outcome.shortest_core->upper, 0.125, 1e-13);
-    EXPECT_LE(outcome.shortest_core->lower, outcome.shortest_core->upper);
+    EXPECT_LT(outcome.shortest_core->lower, outcome.shortest_core->upper);
+    // As if there were no other one.
+    document.collars = {(*document.collars)[exchanged ? 1 : 0]};
+    const Setting alone(document);
+    EXPECT_EQ(outcome.shortest_core, check_collars(document, alone.evaluator, alone.parts, 8192).shortest_core);
   }
+}
+
+TEST(CollarCheck, WithoutADiskItIsUndecided) {
+  NetDocument document = two_collars();
+  const Setting setting(document);
+  for (SurfaceDocument::Tile& tile : document.surface.tiles) {
+    for (RationalPoint& corner : tile) corner.y = 0;
+  }
+  EXPECT_EQ(check_collars(document, setting.evaluator, setting.parts, 8192).report.verdict, Verdict::undecided);
+}
+
+/// The same with vertex 1 and triangle 1 of every collar first; cores are the loops there.
+NetDocument from_the_other_side(NetDocument document) {
+  const Setting setting(document);
+  for (NetDocument::Collar& collar : *document.collars) {
+    std::swap(collar.vertices[0], collar.vertices[1]);
+    std::swap(collar.triangles[0], collar.triangles[1]);
+    const std::uint32_t dart = loop(document, collar.triangles[0]);
+    collar.core = setting.evaluator.word(std::array{SignedLabel{corner_label(document, dart), true},
+                                                    SignedLabel{corner_label(document, next_dart(dart)), false}});
+  }
+  return document;
+}
+
+TEST(CollarCheck, EitherVertexMayBeTheFirst) {
+  // One vertex moved about, also over the core.
+  int same_side = 0;
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (int k = 0; k < 24; ++k) {
+        NetDocument document = two_collars();
+        NetDocument::Vertex& vertex = document.vertices[(*document.collars)[c].vertices[i]];
+        const double r = std::array{0.003, 0.02, 0.1, 0.4}[static_cast<std::size_t>(k % 4)];
+        vertex.x = r * std::cos(M_PI / 6 * (k / 4) + 0.1);
+        vertex.y = r * std::sin(M_PI / 6 * (k / 4) + 0.1);
+        const NetDocument other = from_the_other_side(document);
+        EXPECT_EQ(report(document).verdict, report(other).verdict) << text(document) << '\n' << text(other);
+        const char* const what = "not on different sides";
+        same_side += text(document).find(what) != std::string::npos;
+        EXPECT_EQ(text(document).find(what) == std::string::npos, text(other).find(what) == std::string::npos);
+      }
+    }
+  }
+  EXPECT_GT(same_side, 0);
 }
 
 TEST(CollarCheck, WithoutWorkItIsUndecided) {

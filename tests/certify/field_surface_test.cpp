@@ -104,25 +104,28 @@ std::string said_of(SurfaceDocument surface, const std::function<void(Field&)>& 
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-std::string vertex(std::size_t k) {
-  return "REFUTED: vertex " + std::to_string(k) + " of tile 0 is not inside the light cone";
+std::string vertex(std::size_t k, std::size_t t) {
+  return "REFUTED: vertex " + std::to_string(k) + " of tile " + std::to_string(t) + " is not inside the light cone";
 }
 
 TEST(FieldSurface, EveryVertexIsInsideOfTheLightCone) {
-  const SurfaceDocument surface = over_field(octagon());
-  for (std::size_t k = 0; k < 8; ++k) {
-    const auto changed = [&](const std::function<void(std::array<SurfaceDocument::FieldNumber, 3>&)>& change) {
-      return said_of(surface, [&](Field& field) { change(field.polygons[0][k]); });
-    };
-    EXPECT_EQ(changed([](auto& v) {
-                for (auto& number : v) {
-                  for (mpz_class& x : number) x = -x;
-                }
-              }),
-              vertex(k));
-    // On the light cone, and outside.
-    EXPECT_EQ(changed([](auto& v) { v = {{{3}, {4}, {5}}}; }), vertex(k));
-    EXPECT_EQ(changed([](auto& v) { v = {{{3}, {4}, {0, 1}}}; }), vertex(k));
+  for (const SurfaceDocument& surface : {over_field(octagon()), over_field(heptagons())}) {
+    for (std::size_t t = 0; t < surface.field.polygons.size(); ++t) {
+      for (std::size_t k = 0; k < surface.field.polygons[t].size(); ++k) {
+        const auto changed = [&](const std::function<void(std::array<SurfaceDocument::FieldNumber, 3>&)>& change) {
+          return said_of(surface, [&](Field& field) { change(field.polygons[t][k]); });
+        };
+        EXPECT_EQ(changed([](auto& v) {
+                    for (auto& number : v) {
+                      for (mpz_class& x : number) x = -x;
+                    }
+                  }),
+                  vertex(k, t));
+        // On the light cone, and outside.
+        EXPECT_EQ(changed([](auto& v) { v = {{{3}, {4}, {5}}}; }), vertex(k, t));
+        EXPECT_EQ(changed([](auto& v) { v = {{{3}, {4}, {0, 1}}}; }), vertex(k, t));
+      }
+    }
   }
 }
 
@@ -167,22 +170,26 @@ TEST(FieldSurface, CrossingsTakeBothEndsOfASide) {
 
 // Reflected in an axis of the disk, the image has one of its two coordinates right, and is as long.
 TEST(FieldSurface, CrossingsTakeASideToThePartnerAndNotToAReflectionOfIt) {
-  const SurfaceDocument rational = octagon();
-  for (const int axis : {0, 1}) {
-    const auto corner = [&](std::uint32_t k) { return exact_point(rational.tiles[0][k % 8]); };
-    const auto reflected = [&](std::uint32_t k) {
-      RationalPoint z = rational.tiles[0][k % 8];
-      (axis == 0 ? z.y : z.x) *= -1;
-      return exact_point(z);
-    };
-    for (std::size_t i = 0; i < rational.gluing.size(); ++i) {
-      const auto& [t, k, u, l] = rational.gluing[i];
-      const ExactIsometry f = crossing(corner(k), corner(k + 1), reflected(l), reflected(l + 1));
-      const std::string said = said_of(over_field(rational), [&](Field& field) {
-        field.crossings[i] = {test::times_root(f.a.re), test::times_root(f.a.im), test::times_root(f.b.re),
-                              test::times_root(f.b.im)};
-      });
-      EXPECT_TRUE(says(said, "to which the crossing does not take it")) << said;
+  // Partners are the sides with the larger numbers: the lower half of the tile, then the upper half.
+  for (const std::ptrdiff_t first : {0, 4}) {
+    SurfaceDocument rational = octagon();
+    std::rotate(rational.tiles[0].begin(), rational.tiles[0].begin() + first, rational.tiles[0].end());
+    for (const int axis : {0, 1}) {
+      const auto corner = [&](std::uint32_t k) { return exact_point(rational.tiles[0][k % 8]); };
+      const auto reflected = [&](std::uint32_t k) {
+        RationalPoint z = rational.tiles[0][k % 8];
+        (axis == 0 ? z.y : z.x) *= -1;
+        return exact_point(z);
+      };
+      for (std::size_t i = 0; i < rational.gluing.size(); ++i) {
+        const auto& [t, k, u, l] = rational.gluing[i];
+        const ExactIsometry f = crossing(corner(k), corner(k + 1), reflected(l), reflected(l + 1));
+        const std::string said = said_of(over_field(rational), [&](Field& field) {
+          field.crossings[i] = {test::times_root(f.a.re), test::times_root(f.a.im), test::times_root(f.b.re),
+                                test::times_root(f.b.im)};
+        });
+        EXPECT_TRUE(says(said, "to which the crossing does not take it")) << said;
+      }
     }
   }
 }
@@ -205,6 +212,20 @@ TEST(FieldSurface, TheRootIsTheOneOfItsInterval) {
   EXPECT_TRUE(says(with({-3, 0, 1}, 1, 2), "VERIFIED"));
 }
 
+TEST(FieldSurface, ThePolynomialIsMonicOfDegree1To64) {
+  for (const std::size_t degree : {1U, 2U, 63U, 64U, 65U}) {
+    std::vector<mpz_class> polynomial(degree + 1, -2);
+    for (const int last : {-1, 0, 1, 2}) {
+      polynomial.back() = last;
+      EXPECT_EQ(polynomial_problem(polynomial), degree > 64 ? "66 coefficients, expected 2 to 65"
+                                                : last != 1 ? Problem("the last coefficient is not 1")
+                                                            : std::nullopt);
+    }
+  }
+  EXPECT_TRUE(polynomial_problem({1}).has_value());
+  EXPECT_TRUE(polynomial_problem({}).has_value());
+}
+
 TEST(FieldSurface, HasAStructure) {
   const SurfaceDocument surface = over_field(octagon());
   const auto problem = [&](const std::function<void(SurfaceDocument&)>& change) {
@@ -219,18 +240,31 @@ TEST(FieldSurface, HasAStructure) {
             }),
             "surface.polynomial: the last coefficient is not 1");
   EXPECT_EQ(problem([](auto& s) { s.field.root = {1, 1}; }), "surface.root: the ends of the interval are not in order");
-  EXPECT_EQ(problem([](auto& s) {
-              s.field.polygons[0][3][1] = {1, 2, 3};
-            }),
-            "surface.polygons[0]: a number of the field has 3 coefficients, expected 1 to 2");
-  EXPECT_EQ(problem([](auto& s) { s.field.polygons[0][3][1].clear(); }),
-            "surface.polygons[0]: a number of the field has 0 coefficients, expected 1 to 2");
-  EXPECT_EQ(problem([](auto& s) {
-              s.field.crossings[2][3] = {1, 2, 3};
-            }),
-            "surface.crossings[2]: a number of the field has 3 coefficients, expected 1 to 2");
+  const auto counts = [&](const std::string& row, const auto& number_of) {
+    for (const std::size_t size : {1U, 2U}) EXPECT_EQ(problem([&](auto& s) { number_of(s).resize(size); }), "none");
+    for (const std::size_t size : {0U, 3U}) {
+      EXPECT_EQ(problem([&](auto& s) { number_of(s).resize(size); }),
+                row + ": a number of the field has " + std::to_string(size) + " coefficients, expected 1 to 2");
+    }
+  };
+  for (std::size_t k = 0; k < 8; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      counts(
+          "surface.polygons[0]", [&](auto& s) -> auto& { return s.field.polygons[0][k][i]; });
+    }
+  }
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      counts(
+          "surface.crossings[" + std::to_string(row) + "]", [&](auto& s) -> auto& {
+            return s.field.crossings[row][i];
+          });
+    }
+  }
   EXPECT_EQ(problem([](auto& s) { s.field.crossings.pop_back(); }),
             "surface.crossings: 3 rows, expected 4, as gluing has");
+  EXPECT_EQ(problem([](auto& s) { s.field.crossings.push_back(s.field.crossings[0]); }),
+            "surface.crossings: 5 rows, expected 4, as gluing has");
   EXPECT_EQ(problem([](auto& s) { s.field.polygons[0].resize(2); }),
             "surface.polygons[0]: has 2 vertices, expected at least 3");
   EXPECT_EQ(problem([](auto& s) { s.tiles = octagon().tiles; }), "surface: tiles of two kinds, expected one");

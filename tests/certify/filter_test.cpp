@@ -526,6 +526,127 @@ TEST_F(Moved, LabelsThatAreNotKnownMoveNothing) {
   EXPECT_FALSE(filter::image(filter::Label(), {0, 0}));
 }
 
+/// Triangles 0 2 3 and 0 1 2 of a square, counterclockwise, with the labels of corners 2 and 3, and of 1 and 2.
+NetDocument two_triangles(const std::array<Point, 4>& z, const std::array<std::uint32_t, 4>& labels) {
+  NetDocument document;
+  for (const Point& point : z) document.vertices.push_back({point.x, point.y, 0});
+  document.triangles = {{.vertex = {0, 2, 3}, .opposite = {5, 1, 2}, .label = {labels[0], labels[1]}},
+                        {.vertex = {0, 1, 2}, .opposite = {3, 4, 0}, .label = {labels[2], labels[3]}}};
+  document.labels.resize(1);
+  return document;
+}
+
+/// What is settled of the first of these triangles, where label 1 is the identity; all lengths are easy.
+Filter::Answer settled_of(const NetDocument& document) {
+  const CollarMembers collars(document);
+  const std::vector<std::uint32_t> numbers{1};
+  const Filter filter(document, collars, numbers, LabelTable(numbers, {identity_isometry()}, 1), {1e9, 1e9}, {0, 0});
+  const std::uint32_t t = 0;
+  // What was there before does not count.
+  Filter::Answer answer{.settled = kAll};
+  filter.answer({&t, 1}, {&kAll, 1}, {&answer, 1});
+  return answer;
+}
+
+TEST_F(Moved, PointsThatLabelsMovedAreMoreThanTheLeastNormApart) {
+  // A square from 0 to (s, s), with its corners turned around it, so that each of its edges is each of the four.
+  const Questions all = kOrientationBit | kCoveringBit | delaunay_bit(0);
+  for (const Point side : {Point{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+    for (const int exponent : {-10, -13, -14, -20}) {
+      const double s = std::ldexp(1, exponent);
+      // The far corner is well outside of the circle.
+      const std::array<Point, 4> z{{{0, 0},
+                                    {1.5 * s * side.x - 0.5 * s * -side.y, 1.5 * s * side.y - 0.5 * s * side.x},
+                                    {s * (side.x - side.y), s * (side.y + side.x)},
+                                    {-s * side.y, s * side.x}}};
+      for (unsigned which = 0; which < 16; ++which) {
+        const NetDocument document = two_triangles(z, {which & 1U, which >> 1U & 1U, which >> 2U & 1U, which >> 3U});
+        const bool own = (which & 3U) != 0;
+        const bool far = (which >> 2U & 1U) != 0;
+        const Questions settled = settled_of(document).settled;
+        EXPECT_EQ((settled & kOrientationBit) != 0, !own || s > 0x1p-14) << exponent << ' ' << which;
+        EXPECT_EQ((settled & kCoveringBit) != 0, !own || s > 0x1p-14) << exponent << ' ' << which;
+        EXPECT_EQ((settled & delaunay_bit(0)) != 0, (!own && !far) || s > 0x1p-14) << exponent << ' ' << which;
+      }
+    }
+  }
+  EXPECT_EQ(settled_of(two_triangles({{{0, 0}, {0.5, -0.5}, {0.5, 0}, {0, 0.5}}}, {})).settled & all, all);
+}
+
+TEST_F(Moved, PointsAreApartInOneOfTheirCoordinates) {
+  // One corner of a triangle is near to another one: by t in one coordinate, and as much or nothing in the other one.
+  for (const double t : {0x1.8p-15, 0x1p-14, 0x1p-14 * (1 + 0x1p-20), 0x1p-13}) {
+    for (const Point off : {Point{t, 0}, {0, t}, {-t, 0}, {0, -t}, {t, 0.25 * t}, {0.25 * t, t}}) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::array<Point, 3> z{};
+        z[i] = {0.25, 0.25};
+        z[(i + 1) % 3] = {0.25 + off.x, 0.25 + off.y};
+        z[(i + 2) % 3] = {-0.5, -0.25};
+        if (orientation(z[0], z[1], z[2]) < 0) z[(i + 2) % 3] = {0.5, 0.375};
+        if (orientation(z[0], z[1], z[2]) < 0) z[(i + 2) % 3] = {0.25, 0.75};
+        if (orientation(z[0], z[1], z[2]) < 0) continue;
+        for (const bool moved : {false, true}) {
+          const NetDocument document = two_triangles({z[0], {0, -0.875}, z[1], z[2]}, {moved, 0, 0, 0});
+          EXPECT_EQ((settled_of(document).settled & kOrientationBit) != 0, !moved || t > 0x1p-14) << i << ' ' << t;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(Moved, TheFarCornerIsMovedByALabelThatBothTrianglesHave) {
+  // Of an edge from vertex 0 to vertex 2, whose corners at vertices 0 and 1 have one label, f.
+  const BallIsometry f{{Ball::exactly(1.25), Ball::exactly(0)}, {Ball::exactly(0.75), Ball::exactly(0)}};
+  const auto before = [](Point z) {
+    const std::complex<double> w = (1.25 * std::complex(z.x, z.y) - 0.75) / (1.25 - 0.75 * std::complex(z.x, z.y));
+    return Point{w.real(), w.imag()};
+  };
+  int outside = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Point z0{0, 0}, z1 = in_disk(0.9), z2{0.5, 0}, z3{0.125, 0.375};
+    if (z1.y > -0.01) continue;
+    NetDocument document = two_triangles({before(z0), before(z1), z2, z3}, {});
+    document.triangles = {{.vertex = {3, 0, 2}, .opposite = {0, 3, 2}, .label = {1, 0}},
+                          {.vertex = {2, 0, 1}, .opposite = {1, 4, 5}, .label = {1, 1}}};
+    const CollarMembers collars(document);
+    const std::vector<std::uint32_t> numbers{1};
+    const Filter filter(document, collars, numbers, LabelTable(numbers, {f}, 1), {1e9, 1e9}, {0, 0});
+    const std::uint32_t t = 0;
+    Filter::Answer answer;
+    filter.answer({&t, 1}, {&kAll, 1}, {&answer, 1});
+    const bool settled = (answer.settled & delaunay_bit(1)) != 0;
+    if (settled) {
+      EXPECT_LT(cross_ratio(z0, z1, z2, z3), 0);
+    }
+    outside += settled;
+  }
+  EXPECT_GT(outside, 100);
+}
+
+TEST_F(Moved, MeasuresOfPointsThatLabelsMovedAreWider) {
+  const std::array<Point, 4> z{{{0, 0}, {0.5, -0.5}, {0.5, 0}, {0, 0.5}}};
+  const Filter::Answer plain = settled_of(two_triangles(z, {}));
+  ASSERT_NE(plain.settled & kCoveringBit, 0);
+  const auto expect_wider = [](Interval wide, Interval x) {
+    EXPECT_EQ(wide, (Interval{x.lower * (1 - 0x1p-19), x.upper * (1 + 0x1p-19)}));
+  };
+  for (const auto& labels : {std::array{1U, 0U}, std::array{0U, 1U}, std::array{1U, 1U}}) {
+    const Filter::Answer moved = settled_of(two_triangles(z, {labels[0], labels[1], 0, 0}));
+    expect_wider(moved.circumradius, plain.circumradius);
+    for (std::size_t i = 0; i < 3; ++i) expect_wider(moved.length[i], plain.length[i]);
+  }
+}
+
+TEST_F(Moved, ALabelMovesAPointThatItStretchesByLittleOnly) {
+  // 2⁻¹⁰ of the square of the sum of all parts of a and b.
+  const double size = 1.5 + 1.25;
+  const BallIsometry f{{Ball::exactly(1.5), Ball::exactly(0)}, {Ball::exactly(0), Ball::exactly(1.25)}};
+  EXPECT_EQ(filter::label_of(f).least_stretch, 0x1p-4);
+  const BallIsometry g{{Ball::exactly(0x1p8), Ball::exactly(3)}, {Ball::exactly(-0x1p8), Ball::exactly(5)}};
+  EXPECT_EQ(filter::label_of(g).least_stretch, 0x1p-10 * (0x1p9 + 8) * (0x1p9 + 8));
+  EXPECT_LT(0x1p-10 * size * size, 0x1p-4);
+}
+
 TEST_F(Moved, WhatIsSettledWithLabelsIsTrue) {
   NetDocument document = load("certify/verified/octagon-33-vertices.json");
   const CollarMembers collars(document);

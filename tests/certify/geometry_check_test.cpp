@@ -15,6 +15,7 @@
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/file/reader.h"
+#include "certify/net/geometry_pass.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
@@ -238,6 +239,14 @@ TEST(LiftedTriangle, QuotientsContainEveryQuotient) {
   expect(none, ball(1, 0), 0, kInfinity);
   expect(ball(1, 0), none, 0, kInfinity);
   expect(ball(1, 0), ball(-1, 0.5), 0, kInfinity);
+  expect(none, none, 0, kInfinity);
+  EXPECT_EQ(quotient(Interval{kInfinity, kInfinity}, Interval{1, kInfinity}), (Interval{0, kInfinity}));
+  // Both are nonnegative, whatever their enclosures say.
+  for (const double lower : {-3.0, 0.0}) {
+    EXPECT_EQ(quotient(Interval{lower, 1}, Interval{1, 2}).lower, 0);
+    EXPECT_EQ(quotient(Interval{1, 2}, Interval{lower, 1}).upper, kInfinity);
+  }
+  EXPECT_GE(quotient(Interval{-3, -1}, Interval{1, 2}).upper, 0);
   const Interval open = quotient(ball(1, 0.5), ball(1, 2));
   EXPECT_GT(open.lower, 0.16);
   EXPECT_LE(open.lower, 0.5 / 3);
@@ -281,19 +290,6 @@ TEST(LiftedTriangle, QuotientsAreRoundedOutward) {
     const bool is_narrow = y.lower * 2 > y.upper && x.lower * 2 > x.upper;
     EXPECT_TRUE(!is_narrow || found.upper - found.lower < 1e-10 * found.upper);
   }
-}
-
-/// The triangles of a net again and again: no net, but every triangle and edge is what it was.
-NetDocument copies(const NetDocument& document, std::uint32_t count) {
-  NetDocument result = document;
-  const auto darts = static_cast<std::uint32_t>(3 * document.triangles.size());
-  for (std::uint32_t k = 1; k < count; ++k) {
-    for (NetDocument::Triangle triangle : document.triangles) {
-      for (std::uint32_t& dart : triangle.opposite) dart += k * darts;
-      result.triangles.push_back(triangle);
-    }
-  }
-  return result;
 }
 
 const RuleReport& rule(const GeometryOutcome& outcome, const std::string& name) {
@@ -550,6 +546,40 @@ TEST(GeometryCheck, ShortEdgesAreComparedWithEpsilonAsLongOnesAre) {
     EXPECT_EQ(packing.verdict, Verdict::refuted) << length;
     document.epsilon = mpq_class(length / margin).get_str();
     EXPECT_NE(rule(outcome(document), "packing").verdict, Verdict::refuted) << length;
+  }
+}
+
+TEST(GeometryCheck, EveryEdgeBelongsToTheRuleOfItsEnds) {
+  // Packing asks of different vertices, unless they are those of one collar; thick of one vertex of no collar, in a
+  // pseudo net.
+  NetDocument document;
+  document.vertices.resize(4);
+  for (std::uint32_t u = 0; u < 4; ++u) {
+    for (std::uint32_t v = 0; v < 4; ++v) {
+      for (std::uint32_t w = 0; w < 4; ++w)
+        document.triangles.push_back({.vertex = {u, v, w}, .opposite = {}, .label = {}});
+    }
+  }
+  for (const int kind : {0, 1, 2}) {
+    if (kind > 0) document.collars.emplace();
+    if (kind > 1) document.collars->push_back({.core = {}, .length = {}, .vertices = {1, 3}, .triangles = {0, 1}});
+    const CollarMembers collars(document);
+    for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+      Questions packing = 0, thick = 0;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t u = document.triangles[t].vertex[i], v = document.triangles[t].vertex[(i + 1) % 3];
+        const bool partners = kind > 1 && u + v == 4 && u != v;
+        const bool in_collar = kind > 1 && (u == 1 || u == 3);
+        if (u != v && !partners) packing = static_cast<Questions>(packing | length_bit(i));
+        if (u == v && kind > 0 && !in_collar) thick = static_cast<Questions>(thick | length_bit(i));
+      }
+      using namespace geometry;
+      EXPECT_EQ(questions_of(document, collars, kOrientation, t), kOrientationBit);
+      EXPECT_EQ(questions_of(document, collars, kDelaunay, t), kDelaunayBits);
+      EXPECT_EQ(questions_of(document, collars, kCovering, t), kCoveringBit);
+      EXPECT_EQ(questions_of(document, collars, kPacking, t), packing) << kind << ", triangle " << t;
+      EXPECT_EQ(questions_of(document, collars, kThick, t), thick) << kind << ", triangle " << t;
+    }
   }
 }
 

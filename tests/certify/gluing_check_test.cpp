@@ -1,12 +1,18 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/numbering.h"
+#include "certify/net/surface_check.h"
 #include "certify/net/triangulation_check.h"
 #include "certify/numbers/ball.h"
 #include "tests/certify/far_words.h"
+#include "tests/certify/reference.h"
 
 /// When an element is the identity, and labels that 64 bits do not tell from those that they are.
 namespace epsnet::certify::gluing_check_test {
@@ -116,6 +122,143 @@ TEST(GluingCheck, LabelsThat64BitsDoNotTellAreUndecided) {
       const Certificate fine = check(document, {.threads = 1});
       EXPECT_EQ(fine.rules.at(2).verdict, Verdict::verified) << fine.rules.at(2).text;
     }
+  }
+}
+
+/// What the rule works with.
+struct Setting {
+  explicit Setting(const NetDocument& document)
+      : parts{check_surface(document.surface).crossings, chart_frames(document.charts, {}), {}},
+        evaluator(document, parts) {}
+  [[nodiscard]] RuleReport report(const NetDocument& document) const {
+    return check_gluing(document, evaluator, parts, 256, 1).report;
+  }
+  LabelParts parts;
+  LabelEvaluator evaluator;
+};
+
+/// Whether L_a L_b⁻¹ = L_c L_d⁻¹, without rounding.
+class ExactEquations {
+ public:
+  explicit ExactEquations(const Setting& setting) : setting_(setting) {}
+
+  bool hold(const std::array<std::uint32_t, 4>& labels) {
+    const auto [found, is_new] = known_.try_emplace(labels);
+    if (is_new) {
+      const auto quotient = [&](std::uint32_t x, std::uint32_t y) { return compose(value(x), inverse(value(y))); };
+      const auto [a, b, c, d] = labels;
+      found->second = is_identity(compose(inverse(quotient(c, d)), quotient(a, b)));
+    }
+    return found->second;
+  }
+
+ private:
+  [[nodiscard]] ExactIsometry value(std::uint32_t number) const {
+    return setting_.evaluator.evaluate_exactly(std::get<RationalCrossings>(setting_.parts.crossings), number);
+  }
+
+  const Setting& setting_;
+  std::map<std::array<std::uint32_t, 4>, bool> known_;
+};
+
+/// The first dart, the smaller one of its edge, across which the triangles do not fit.
+std::optional<std::uint32_t> first_misfit(const NetDocument& document, ExactEquations& equations) {
+  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+    const std::uint32_t other = opposite(document, dart);
+    if (dart < other && !equations.hold({corner_label(document, dart), corner_label(document, next_dart(other)),
+                                         corner_label(document, next_dart(dart)), corner_label(document, other)})) {
+      return dart;
+    }
+  }
+  return std::nullopt;
+}
+
+TEST(GluingCheck, TheFirstEdgeAcrossWhichTrianglesDoNotFitIsNamed) {
+  // Some corners of one or two triangles get the label of any others, or none. All is in one chart, so any label may
+  // stand anywhere.
+  std::mt19937 random(1);
+  for (const char* name : {"octagon-9-vertices.json", "octagon-1-vertex.json"}) {
+    const NetDocument good = load(std::string("certify/verified/") + name);
+    const Setting setting(good);
+    ExactEquations equations(setting);
+    ASSERT_EQ(first_misfit(good, equations), std::nullopt);
+    int fit = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+      NetDocument document = good;
+      const auto any_triangle = [&] { return random() % good.triangles.size(); };
+      auto& label = document.triangles[any_triangle()].label;
+      switch (trial % 6) {
+        case 0:
+          label = {0, 0};
+          break;
+        case 1:
+          label[1] = label[0];
+          break;
+        case 2:
+          label[random() % 2] = 0;
+          break;
+        case 3:
+          label = good.triangles[any_triangle()].label;
+          break;
+        case 4:
+          std::swap(label[0], label[1]);
+          break;
+        default:
+          label[random() % 2] = static_cast<std::uint32_t>(random() % (good.labels.size() + 1));
+      }
+      if (trial % 4 == 0) document.triangles[any_triangle()].label[random() % 2] = 0;
+      const auto misfit = first_misfit(document, equations);
+      const RuleReport report = setting.report(document);
+      fit += !misfit;
+      ASSERT_EQ(report.verdict, misfit ? Verdict::refuted : Verdict::verified) << trial << report.text;
+      if (misfit) {
+        ASSERT_TRUE(report.text.starts_with("the edge of dart " + std::to_string(*misfit) + " ")) << report.text;
+      }
+    }
+    EXPECT_LT(fit, 300);
+  }
+}
+
+TEST(GluingCheck, EveryEdgeOfSeveralBlocksIsAsked) {
+  // More than 16,384 triangles, the length of a block; one corner has the label of another element.
+  for (const char* name : {"octagon-9-vertices.json", "octagon-33-vertices.json"}) {
+    const NetDocument one = load(std::string("certify/verified/") + name);
+    const NetDocument good = copies(one, 1 + 16'400 / static_cast<std::uint32_t>(one.triangles.size()));
+    const Setting setting(good);
+    EXPECT_EQ(setting.report(good).verdict, Verdict::verified);
+    ExactEquations equations(setting);
+    for (const std::size_t t : {std::size_t{0}, std::size_t{16'383}, std::size_t{16'384}, good.triangles.size() - 1}) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        NetDocument document = good;
+        std::uint32_t& number = document.triangles[t].label[i];
+        number = number % static_cast<std::uint32_t>(one.labels.size()) + 1;
+        const auto misfit = first_misfit(document, equations);
+        ASSERT_TRUE(misfit.has_value());
+        const std::string text = setting.report(document).text;
+        EXPECT_TRUE(text.starts_with("the edge of dart " + std::to_string(*misfit) + " ")) << text;
+      }
+    }
+  }
+}
+
+TEST(GluingCheck, WithoutADiskNothingIsDecided) {
+  const NetDocument good = load("certify/verified/octagon-9-vertices.json");
+  const Setting setting(good);
+  NetDocument flat = good;
+  for (RationalPoint& corner : flat.surface.tiles[0]) corner.y = 0;
+  EXPECT_EQ(setting.report(flat).verdict, Verdict::undecided) << setting.report(flat).text;
+}
+
+TEST(GluingCheck, TheBaseLeadsToTheCentreOfTheDiskFromAnyChart) {
+  const SurfaceDocument surface = load("certify/verified/octagon-9-vertices.json").surface;
+  const auto disk = inscribed_disk(surface, 0, 256);
+  ASSERT_TRUE(disk.has_value());
+  for (const RationalPoint& centre : {RationalPoint{0, 0}, RationalPoint{mpq_class(1, 3), mpq_class(-1, 7)}}) {
+    const ExactIsometry frame = translation_to(exact_point(centre));
+    // From 0 in the coordinates of the chart to the disk's centre in those of the tile.
+    const Move both = rounded(frame) * middle(base_of(*disk, frame, 128));
+    const auto part = [&](const mpz_class& x) { return static_cast<Real>(mpq_class(x, disk->centre.m).get_d()); };
+    EXPECT_LT(std::abs(image(both, 0) - Complex(part(disk->centre.n.re), part(disk->centre.n.im))), 1e-15);
   }
 }
 

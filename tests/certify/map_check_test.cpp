@@ -1,5 +1,10 @@
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
+#include <numeric>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "certify/file/reader.h"
 #include "certify/net/numbering.h"
@@ -210,6 +215,104 @@ TEST(MapCheck, TheGenusIsExact) {
     EXPECT_EQ(check_map(load("octagon-9-vertices.json"), genus).verdict,
               genus == 2 ? Verdict::verified : Verdict::refuted);
   }
+}
+
+/// The definition, clause by clause (docs/proof.md, section 3).
+bool is_map(const NetDocument& document, std::int64_t euler) {
+  const auto darts = static_cast<std::uint32_t>(3 * document.triangles.size());
+  std::vector<std::uint32_t> leaving(document.vertices.size(), 0);
+  for (std::uint32_t dart = 0; dart < darts; ++dart) {
+    const std::uint32_t other = opposite(document, dart);
+    if (other == dart || opposite(document, other) != dart ||
+        start(document, other) != start(document, next_dart(dart)))
+      return false;
+    ++leaving[start(document, dart)];
+  }
+  for (std::uint32_t dart = 0; dart < darts; ++dart) {
+    std::uint32_t cycle = 1;
+    for (std::uint32_t d = opposite(document, previous_dart(dart)); d != dart; d = opposite(document, previous_dart(d)))
+      ++cycle;
+    if (cycle != leaving[start(document, dart)]) return false;
+  }
+  std::vector<std::uint32_t> piece(document.triangles.size());
+  std::iota(piece.begin(), piece.end(), 0U);
+  for (std::size_t round = 0; round < piece.size(); ++round) {
+    for (std::uint32_t dart = 0; dart < darts; ++dart)
+      piece[dart / 3] = std::min(piece[dart / 3], piece[opposite(document, dart) / 3]);
+  }
+  const auto vertices = static_cast<std::int64_t>(leaving.size());
+  return std::count(leaving.begin(), leaving.end(), 0U) == 0 &&
+         std::count(piece.begin(), piece.end(), 0U) * 3 == std::ptrdiff_t{darts} &&
+         vertices - darts / 2 + darts / 3 == euler;
+}
+
+/// Triangles whose edges are glued at random, with a vertex for each cycle of darts.
+NetDocument random_map(std::uint32_t triangles, std::mt19937& random) {
+  NetDocument document;
+  document.triangles.resize(triangles);
+  std::vector<std::uint32_t> darts(std::size_t{3} * triangles);
+  std::iota(darts.begin(), darts.end(), 0U);
+  std::shuffle(darts.begin(), darts.end(), random);
+  for (std::size_t k = 0; k < darts.size(); ++k)
+    document.triangles[darts[k] / 3].opposite[darts[k] % 3] = darts[k ^ 1U];
+  std::vector<bool> met(darts.size());
+  for (const std::uint32_t first : darts) {
+    if (met[first]) continue;
+    for (std::uint32_t dart = first; !met[dart]; dart = opposite(document, previous_dart(dart))) {
+      met[dart] = true;
+      document.triangles[dart / 3].vertex[dart % 3] = static_cast<std::uint32_t>(document.vertices.size());
+    }
+    document.vertices.emplace_back();
+  }
+  return document;
+}
+
+TEST(MapCheck, IsTheDefinition) {
+  std::mt19937 random(1);
+  const auto any = [&](std::size_t count) { return static_cast<std::uint32_t>(random() % count); };
+  std::map<bool, int> met;
+  for (int trial = 0; trial < 60'000; ++trial) {
+    NetDocument document = random_map(2 + 2 * any(4), random);
+    const auto darts = static_cast<std::uint32_t>(3 * document.triangles.size());
+    // Nothing, or one or two defects.
+    for (std::uint32_t defects = any(3); defects > 0; --defects) {
+      auto& triangles = document.triangles;
+      const std::uint32_t u = any(document.vertices.size());
+      const std::uint32_t dart = any(darts);
+      switch (any(5)) {
+        case 0:  // Another number for a vertex: two are one, and one is left without triangles.
+          for (auto& triangle : triangles) {
+            std::replace(triangle.vertex.begin(), triangle.vertex.end(), u, any(document.vertices.size()));
+          }
+          break;
+        case 1:  // The last vertex is another one.
+          for (auto& triangle : triangles) {
+            const auto last = static_cast<std::uint32_t>(document.vertices.size() - 1);
+            std::replace(triangle.vertex.begin(), triangle.vertex.end(), last, last == 0 ? 0 : u % last);
+          }
+          if (document.vertices.size() > 1) document.vertices.pop_back();
+          break;
+        case 2:
+          triangles[dart / 3].opposite[dart % 3] = any(darts);
+          break;
+        case 3:
+          triangles[dart / 3].vertex[dart % 3] = u;
+          break;
+        default:
+          document.vertices.emplace_back();
+          break;
+      }
+    }
+    // The genus for which the numbers are right, if there is one.
+    const auto euler = static_cast<std::int64_t>(document.vertices.size()) - darts / 2 + darts / 3;
+    const std::int64_t genus = (2 - euler) / 2;
+    const bool expected = is_map(document, 2 - 2 * genus);
+    const RuleReport report = check_map(document, static_cast<std::uint64_t>(genus));
+    ASSERT_EQ(report.verdict, expected ? Verdict::verified : Verdict::refuted) << report.text;
+    ++met[expected];
+  }
+  EXPECT_GT(met[true], 10'000);
+  EXPECT_GT(met[false], 10'000);
 }
 
 }  // namespace

@@ -93,6 +93,19 @@ inline Real determinant(const Vector& x, const Vector& y, const Vector& z) {
   return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) + x[2] * (y[0] * z[1] - y[1] * z[0]);
 }
 
+/// The triangles of a net again and again: no net, but every triangle and edge is what it was.
+inline NetDocument copies(const NetDocument& document, std::uint32_t count) {
+  NetDocument result = document;
+  const auto darts = static_cast<std::uint32_t>(3 * document.triangles.size());
+  for (std::uint32_t k = 1; k < count; ++k) {
+    for (NetDocument::Triangle triangle : document.triangles) {
+      for (std::uint32_t& dart : triangle.opposite) dart += k * darts;
+      result.triangles.push_back(triangle);
+    }
+  }
+  return result;
+}
+
 /// A triangle of a lifted triangulation: which one it is, and what leads from the chart of the first to its chart.
 struct Lift {
   std::uint32_t triangle;

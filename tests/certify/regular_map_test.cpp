@@ -1,5 +1,10 @@
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,6 +66,53 @@ TEST(RegularMaps, AVertexWithAnotherNumberOfCornersIsRefuted) {
   EXPECT_NE(refuted(surface).find("corners meet at vertex"), std::string::npos);
 }
 
+/// All ways to glue the sides that are left of one polygon in pairs.
+void for_each_gluing(std::vector<std::uint32_t> left, SurfaceDocument& surface,
+                     const std::function<void(const SurfaceDocument&)>& body) {
+  if (left.empty()) return body(surface);
+  for (std::size_t k = 1; k < left.size(); ++k) {
+    std::vector<std::uint32_t> others = left;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    others.erase(others.begin());
+    surface.gluing.push_back({0, left[0], 0, left[k]});
+    for_each_gluing(others, surface, body);
+    surface.gluing.pop_back();
+  }
+}
+
+TEST(RegularMaps, OfOneDecagonHaveTheSameNumberOfCornersAroundEveryVertex) {
+  std::map<std::size_t, int> met;
+  SurfaceDocument surface;
+  const auto ask = [&](const SurfaceDocument& glued) {
+    // Corner k is where side k begins. Side k from there is the end of its partner l, so corner l + 1.
+    std::array<std::uint32_t, 10> next{};
+    for (const auto& [t, k, u, l] : glued.gluing) {
+      next[k] = (l + 1) % 10;
+      next[l] = (k + 1) % 10;
+    }
+    std::multiset<std::uint32_t> corners;
+    for (std::uint32_t k = 0; k < 10; ++k) {
+      std::uint32_t around = 1;
+      for (std::uint32_t c = next[k]; c != k; c = next[c]) ++around;
+      corners.insert(around);
+    }
+    const std::uint32_t q = glued.map_tile.q;
+    const SurfaceOutcome outcome = check_surface(glued);
+    const bool regular = corners.count(q) == 10;
+    ASSERT_EQ(outcome.report.verdict, regular ? Verdict::verified : Verdict::refuted) << outcome.report.text;
+    if (regular) {
+      // V − 5 + 1 = 2 − 2g.
+      EXPECT_EQ(outcome.genus, (6 - 10 / q) / 2);
+    }
+    ++met[regular ? 10 : corners.count(q) == 0 ? 0 : 1];
+  };
+  for (std::uint32_t q = 3; q <= 10; ++q) {
+    surface.map_tile = {10, q};
+    for_each_gluing({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, surface, ask);
+  }
+  for (const std::size_t kind : {0U, 1U, 10U}) EXPECT_GT(met[kind], 0) << kind;
+}
+
 TEST(RegularMaps, AreHyperbolic) {
   // The sphere with the faces of a cube has three squares around each corner, and the torus four.
   SurfaceDocument torus;
@@ -99,6 +151,7 @@ TEST(RegularMaps, WithoutStructureAreNone) {
   EXPECT_EQ(problem(surface), "surface.gluing: 8 sides occur, expected a multiple of 10");
   surface.gluing.clear();
   EXPECT_EQ(problem(surface), "surface.gluing: no row, expected at least one");
+  for (const std::uint32_t number : {3U, 4U, 9'999U, 10'000U}) EXPECT_EQ(map_number_problem(number), std::nullopt);
   for (const std::uint32_t number : {1U, 2U, 10'001U, ~0U}) {
     const std::string found = std::to_string(number) + " found, expected at least 3 and at most 10000";
     surface = decagon();

@@ -98,6 +98,38 @@ TEST(RuleBook, VerifiedSoFarIsAboutWhatWasReported) {
   EXPECT_FALSE(book.verified_so_far());
 }
 
+TEST(OpenRules, AreOpenUntilTheyAreDecidedAndSayWhyTheyAreNot) {
+  OpenRules rules({"a", "b", "c", "d"});
+  rules.report(verified("b"));
+  rules.report(refuted("c"));
+  // Nothing is known of a rule that is not one of them.
+  const auto known = [&](const char* rule, Verdict verdict, bool open) {
+    EXPECT_EQ(rules.verdict(rule), verdict) << rule;
+    EXPECT_EQ(rules.open(rule), open) << rule;
+  };
+  known("a", Verdict::undecided, true);
+  known("b", Verdict::verified, false);
+  known("c", Verdict::refuted, false);
+  known("e", Verdict::undecided, false);
+  EXPECT_THROW(rules.report(verified("e")), Fault);
+  for (const char* rule : {"a", "b", "c", "e"}) rules.doubt(rule, "doubt");
+  const auto said = [](OpenRules some) {
+    Verification run({.threads = 1}, 1, {"a", "b", "c", "d"}, "a claim");
+    some.conclude(run);
+    std::vector<std::string> result;
+    for (const RuleReport& report : run.rules().reports()) result.push_back(to_string(report));
+    return result;
+  };
+  EXPECT_THAT(said(rules), ElementsAre("a: UNDECIDED: doubt", "b: VERIFIED: it holds", "c: REFUTED: it fails",
+                                       "d: UNDECIDED: not decided"));
+  rules.give_up("no work left");
+  EXPECT_THAT(said(rules), ElementsAre("a: UNDECIDED: no work left", "b: VERIFIED: it holds", "c: REFUTED: it fails",
+                                       "d: UNDECIDED: no work left"));
+  // A report replaces the one before.
+  rules.report(verified("a"));
+  known("a", Verdict::verified, false);
+}
+
 // Claims about a net that is one.
 
 NetDocument net() {

@@ -364,16 +364,14 @@ class CollarChecker {
   /// Clause (c): the loop at p, an isometry of p's chart, is the core or its inverse.
   [[nodiscard]] Clause core_clause(std::size_t c, const BallIsometry& loop, slong precision) {
     const NetDocument::Collar& collar = (*document_.collars)[c];
-    const std::uint32_t chart = document_.vertices[collar.vertices[0]].chart;
+    const std::uint32_t chart = chart_of_core(document_, collar);
     const auto& disk = disk_of(document_.charts[chart].tile);
     Tri same = Tri::unknown;
     if (disk) {
       const BallIsometry core =
           evaluator_.evaluate(std::array{evaluator_.core_number(c)}, precision, 4 * precision, 1).front();
-      // From 0 to the disk's centre, in the coordinates of the chart.
       parts_.budget.spend(to_balls_work(bits(parts_.frames[chart]) + bits(disk->centre), 0));
-      const BallIsometry base =
-          to_balls(compose(inverse(parts_.frames[chart]), translation_to(disk->centre)), precision);
+      const BallIsometry base = base_of(*disk, parts_.frames[chart], precision);
       same = Tri::no;
       for (const BallIsometry& other : {core, inverse(core)}) {
         const BallIsometry quotient = compose(inverse(other), loop, precision);
