@@ -4,6 +4,7 @@
 #include <complex>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <rapidcheck/gtest.h>
