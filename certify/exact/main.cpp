@@ -15,8 +15,8 @@ constexpr int kExitInternal = 70;
 constexpr std::size_t kMaxBytes = std::size_t{1} << 32;
 constexpr const char* kUsage =
     "Usage: certify-exact FILE\n\n"
-    "Checks a net, a pseudo net, a geodesics, distance, bound, eigenvalues, isometries or\n"
-    "pants file: a second opinion beside certify, by integers and MPFR.\n"
+    "Checks a net, a pseudo net, a geodesics, distance, bound, eigenvalues, isometries, pants,\n"
+    "comparison or curves file: a second opinion beside certify, by integers and MPFR.\n"
     "FILE is read completely; - is standard input. Example: certify-exact net.json\n\n"
     "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or\n"
     "MALFORMED: why; of a surface file NO CLAIM, and what to do with it.\n"

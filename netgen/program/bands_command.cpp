@@ -260,7 +260,7 @@ Report lattice_report(const HermitianMatrix& matrix, const std::vector<certify::
 }
 
 void find_lattice(const LatticeRequest& request) {
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::text}});
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::mtx}});
   const Surface surface = read_surface_input(request.surface);
   std::vector<Rational> turns;
   if (request.phases) turns = parse_torus_point("--phases", *request.phases);

@@ -120,7 +120,7 @@ std::string geodesics_used_text(const Isometries& found) {
          (found.proof
               ? ""
               : "each of these is an isometry, decided by exact numbers; that there is no other one is computed "
-                "with 256 bits\n");
+                "with 512 bits\n");
 }
 
 void list_isometries(const IsometriesRequest& request) {

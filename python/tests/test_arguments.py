@@ -102,6 +102,8 @@ def calls(octagon, net, bolza):
         (octagon.systole, dict(threads=1, progress=False)), (octagon.spectrum, dict(up_to=2, threads=1, progress=False)),
         (octagon.eigenvalues, dict(count=1, digits=2, epsilon="0.5", threads=1, progress=False)), (octagon.eigenvalues, dict(below=1)),
         (octagon.eigenvalues, dict(phases=(0, 0, 0, 0), count=1, digits=1)), (octagon.side_phases, dict(phases=(0, 0, 0, 0))),
+        (octagon.lattice, dict(phases=(0, 0, 0, 0), nodes="faces")), (octagon.lattice().save, dict(path="none")),
+        (bolza.local_maximum, dict(threads=1, progress=False)),
         (octagon.bands, dict(path=[(0, 0, 0, 0)], steps=1, count=1, digits=1, epsilon="0.6", threads=1, progress=False)),
         (bands.interval, dict(point=0, band=0)), (bands.svg, dict(size=100)),
         (eigenvalues.svg, dict(size=100)), (eigenvalues.count_below, dict(x=1)), (eigenvalues.eigenfunction, dict(index=1)),

@@ -68,6 +68,7 @@ FUNCTIONS = {
     "local-maximum": (Surface.local_maximum, {}),
     "eigenvalues": (Surface.eigenvalues, {}),
     "bands": (Surface.bands, {"--between": "path"}),
+    "lattice": (Surface.lattice, {}),
     "isometries": (Surface.isometries, {}),
     "isometric": (Surface.isometric_to, {}),
     "identify": (Surface.identify, {}),
