@@ -274,22 +274,14 @@ bool read_bool(const Json& value) {
 
 /// What a list of geodesics has, whatever else is in the file.
 GeodesicsDocument read_list(const Json& root, GeodesicsDocument::Claim claim, Words& words) {
-  using enum GeodesicsDocument::Claim;
-  GeodesicsDocument document{.claim = claim,
-                             .net = read_whole_net(root, words),
-                             .up_to = {},
-                             .geodesics = {},
-                             .clusters = {},
-                             .pieces = {},
-                             .basis = {},
-                             .weights = {}};
+  GeodesicsDocument document{.claim = claim, .net = read_whole_net(root, words)};
   for (const Json& row : array(member(root, "geodesics"), "geodesics")) {
     expect_members(row, {"vertex", "word", "length", "simple"});
     document.geodesics.push_back({to_index(member(row, "vertex")), words.read(member(row, "word")),
                                   read_length(member(row, "length"), "a length"), read_bool(member(row, "simple"))});
   }
-  if (claim == systole) return document;
-  if (claim != thick_thin) document.up_to = to_decimal(member(root, "up_to"));
+  if (claim == GeodesicsDocument::Claim::systole) return document;
+  if (document.has_up_to()) document.up_to = to_decimal(member(root, "up_to"));
   for (const Json& row : array(member(root, "clusters"), "clusters")) {
     expect_members(row, {"first", "count", "equal"});
     document.clusters.push_back(
@@ -516,14 +508,7 @@ ComparisonDocument read_comparison(const Json& root) {
   Words words;
   const Json& claim = member(root, "claim");
   const auto net_alone = [&](const char* name) {
-    return GeodesicsDocument{.claim = GeodesicsDocument::Claim::spectrum,
-                             .net = read_whole_net(root, words, name),
-                             .up_to = {},
-                             .geodesics = {},
-                             .clusters = {},
-                             .pieces = {},
-                             .basis = {},
-                             .weights = {}};
+    return GeodesicsDocument{.claim = GeodesicsDocument::Claim::spectrum, .net = read_whole_net(root, words, name)};
   };
   if (is_text(claim, "isometric")) {
     expect_members(

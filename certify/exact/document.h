@@ -170,12 +170,14 @@ struct GeodesicsDocument {
 
   Claim claim;
   Net net;
-  mpq_class up_to;  ///< Of a spectrum or a local maximum.
-  std::vector<ClosedGeodesic> geodesics;
-  std::vector<Cluster> clusters;  ///< Unless it is a systole.
-  std::vector<Piece> pieces;      ///< Of a thick-thin decomposition.
-  std::vector<Index> basis;       ///< Of a local maximum,
-  std::vector<Index> weights;     ///< and of those of the first cluster that are not in the basis.
+  mpq_class up_to{};  ///< If has_up_to().
+  std::vector<ClosedGeodesic> geodesics{};
+  std::vector<Cluster> clusters{};  ///< Unless it is a systole.
+  std::vector<Piece> pieces{};      ///< Of a thick-thin decomposition.
+  std::vector<Index> basis{};       ///< Of a local maximum,
+  std::vector<Index> weights{};     ///< and of those of the first cluster that are not in the basis.
+
+  [[nodiscard]] bool has_up_to() const { return claim == Claim::spectrum || claim == Claim::local_maximum; }
 };
 
 using Range = std::array<mpq_class, 2>;

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "certify/exact/claim_rules.h"
-#include "certify/exact/linear_equations.h"
 
 namespace epsnet::exact {
 namespace {
@@ -270,7 +269,7 @@ GeodesicRules<R>::GeodesicRules(const GeodesicsDocument& document, NetRules<R>& 
   if (document.claim == Claim::systole) {
     if (rows.size() != 1 || rows[0].length[1] >= 2 * rows[0].length[0]) throw Malformed("not one systole");
   } else {
-    if (!is_thick_thin() && document.up_to <= 0) throw Malformed("up_to is not positive");
+    if (document.has_up_to() && document.up_to <= 0) throw Malformed("up_to is not positive");
     expect_runs(document);
     if (is_thick_thin()) expect_sides(document);
     if (document.claim == Claim::local_maximum) expect_basis(document);
@@ -315,9 +314,7 @@ void GeodesicRules<R>::check_lengths() {
     lengths_.emplace_back(elements_.back());
     expect_less(i, row.length[0], false);
     expect_less(i, row.length[1], true);
-    if (document_.claim == Claim::spectrum || document_.claim == Claim::local_maximum) {
-      expect_less(i, document_.up_to, true);
-    }
+    if (document_.has_up_to()) expect_less(i, document_.up_to, true);
     if (is_thick_thin() && !is_small(lengths_[i])) throw Refutation{name(i) + " is longer than 2 arsinh 1"};
   }
 }

@@ -3,7 +3,9 @@
 #include <array>
 #include <gmpxx.h>
 #include <mpfr.h>
+#include <optional>
 #include <string>
+#include <vector>
 
 /// Intervals whose ends MPFR rounds outward. What is not a number stays so, and comparisons with it are unknown.
 namespace epsnet::exact {
@@ -246,5 +248,10 @@ class Interval {
 using Vector = std::array<Interval, 3>;
 
 inline Interval enclosure(const mpz_class& x) { return Interval(mpq_class(x)); }
+
+/// The x with Σ_j matrix[i][j] x_j = right[i] for all i, as many as there are unknowns. Nothing unless the matrix
+/// certainly has an inverse, by elimination. O(n³) for n unknowns; throws LeftOut for more than 500.
+[[nodiscard]] std::optional<std::vector<Interval>> solution(std::vector<std::vector<Interval>> matrix,
+                                                            std::vector<Interval> right);
 
 }  // namespace epsnet::exact

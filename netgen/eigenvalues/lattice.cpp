@@ -17,8 +17,6 @@
 namespace epsnet {
 namespace {
 
-constexpr std::uint32_t kMostNodes = 1500;
-
 /// e^{2πi·turns}, nearest parts.
 std::complex<double> on_unit_circle(const Rational& turns) {
   const Rational quarters = 4 * turns;
@@ -95,9 +93,9 @@ HermitianMatrix lattice_matrix(const Surface& surface, GraphNodes nodes, const s
 }
 
 std::vector<certify::Interval> eigenvalues(const HermitianMatrix& matrix) {
-  if (matrix.size > kMostNodes) {
+  if (matrix.size > kMostLatticeNodes) {
     throw LimitError("eigenvalues of a lattice of " + std::to_string(matrix.size) + " nodes: at most " +
-                     std::to_string(kMostNodes) + " are possible");
+                     std::to_string(kMostLatticeNodes) + " are possible");
   }
   if (matrix.size == 0) return {};
   const auto is_real = [](const HermitianMatrix::Entry& entry) { return entry.value.imag() == 0; };
@@ -123,9 +121,12 @@ void write_matrix_market(const HermitianMatrix& matrix, std::ostream& out) {
   out << "%%MatrixMarket matrix coordinate " << (integers ? "integer symmetric" : "complex hermitian") << '\n'
       << matrix.size << ' ' << matrix.size << ' ' << matrix.entries.size() << '\n';
   for (const auto& [row, column, value] : matrix.entries) {
-    out << row + 1 << ' ' << column + 1 << ' ' << certify::shortest(value.real());
-    if (!integers) out << ' ' << certify::shortest(value.imag());
-    out << '\n';
+    out << row + 1 << ' ' << column + 1 << ' ';
+    if (integers) {
+      out << std::llround(value.real()) << '\n';
+    } else {
+      out << certify::shortest(value.real()) << ' ' << certify::shortest(value.imag()) << '\n';
+    }
   }
 }
 

@@ -32,10 +32,13 @@ struct HermitianMatrix {
 [[nodiscard]] HermitianMatrix lattice_matrix(const Surface& surface, GraphNodes nodes,
                                              const std::vector<Rational>& turns = {});
 
+/// A lattice of more nodes has its matrix only.
+inline constexpr std::uint32_t kMostLatticeNodes = 1500;
+
 /// Returns for all eigenvalues, in increasing order, with multiplicity, an interval that contains it. They are computed
 /// by Eigen, and proved by what the product of the matrix with the computed eigenvectors is, and by how far these are
 /// from orthonormal (docs/eigenvalues.md). Ends are multiples of a power of 2, at most 2⁻²⁰. Throws LimitError for more
-/// than 1500 nodes, and if no proof is found. O(n³).
+/// than kMostLatticeNodes, and if no proof is found. O(n³).
 [[nodiscard]] std::vector<certify::Interval> eigenvalues(const HermitianMatrix& matrix);
 
 /// Writes a MatrixMarket file: coordinate complex hermitian; integer symmetric if all entries are integers.

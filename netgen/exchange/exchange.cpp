@@ -148,55 +148,6 @@ certify::NetDocument net_of_tiles(const Surface& surface, const Length& epsilon)
   return Builder(surface, epsilon).net();
 }
 
-namespace {
-
-/// A graph with loops and several edges between two nodes.
-struct Multigraph {
-  std::size_t nodes;
-  std::vector<std::array<std::uint32_t, 2>> edges;
-};
-
-Multigraph graph_of(const Surface& surface, GraphNodes nodes) {
-  const bool of_vertices = nodes == GraphNodes::vertices;
-  Multigraph graph{of_vertices ? surface.vertex_class_count() : surface.tiles().size(), {}};
-  for (const SideId side : surface.side_ids()) {
-    const SideId partner = surface.partner(side);
-    if (partner < side) continue;
-    if (of_vertices) {
-      graph.edges.push_back({surface.vertex_class(side), surface.vertex_class(surface.next_side(side))});
-    } else {
-      graph.edges.push_back({surface.tile_of_side(side).number(), surface.tile_of_side(partner).number()});
-    }
-  }
-  return graph;
-}
-
-Multigraph graph_of(const certify::NetDocument& net, GraphNodes nodes) {
-  const bool of_vertices = nodes == GraphNodes::vertices;
-  Multigraph graph{of_vertices ? net.vertices.size() : net.triangles.size(), {}};
-  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
-    const std::uint32_t other = certify::opposite(net, dart);
-    if (other < dart) continue;
-    if (of_vertices) {
-      graph.edges.push_back({certify::start(net, dart), certify::start(net, certify::next_dart(dart))});
-    } else {
-      graph.edges.push_back({dart / 3, other / 3});
-    }
-  }
-  return graph;
-}
-
-/// Writes the lower triangle, column by column. A loop counts twice, so that the sums of rows are degrees.
-void write_matrix(const Multigraph& graph, std::ostream& out) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> entries;
-  for (const auto& [u, v] : graph.edges) entries[std::minmax(u, v)] += u == v ? 2 : 1;
-  out << "%%MatrixMarket matrix coordinate integer symmetric\n"
-      << graph.nodes << ' ' << graph.nodes << ' ' << entries.size() << '\n';
-  for (const auto& [ends, count] : entries) out << ends.second + 1 << ' ' << ends.first + 1 << ' ' << count << '\n';
-}
-
-}  // namespace
-
 void write_edges(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   out << "u\tv\tlength\n";
@@ -221,13 +172,21 @@ void write_edges(const Surface& surface, std::ostream& out) {
   }
 }
 
-void write_adjacency(const Surface& surface, GraphNodes nodes, std::ostream& out) {
-  write_matrix(graph_of(surface, nodes), out);
-}
-
 void write_adjacency(const certify::NetDocument& net, GraphNodes nodes, std::ostream& out) {
   static_cast<void>(NetGeometry(net));  // Throws unless it is a net.
-  write_matrix(graph_of(net, nodes), out);
+  const bool of_vertices = nodes == GraphNodes::vertices;
+  // The lower triangle, column by column. A loop counts twice, so that the sums of rows are degrees.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> entries;
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+    const std::uint32_t other = certify::opposite(net, dart);
+    if (other < dart) continue;
+    const std::uint32_t u = of_vertices ? certify::start(net, dart) : dart / 3;
+    const std::uint32_t v = of_vertices ? certify::start(net, certify::next_dart(dart)) : other / 3;
+    entries[std::minmax(u, v)] += u == v ? 2 : 1;
+  }
+  const std::size_t size = of_vertices ? net.vertices.size() : net.triangles.size();
+  out << "%%MatrixMarket matrix coordinate integer symmetric\n" << size << ' ' << size << ' ' << entries.size() << '\n';
+  for (const auto& [ends, count] : entries) out << ends.second + 1 << ' ' << ends.first + 1 << ' ' << count << '\n';
 }
 
 // The surface of a triangulation given by cross-ratios: triangles are placed one after the other, breadth first,

@@ -115,11 +115,9 @@ void write_edges(const certify::NetDocument& net, std::ostream& out);
 /// order of their first sides: the vertices at both ends, the tiles on both sides, the hyperbolic length, rounded.
 void write_edges(const Surface& surface, std::ostream& out);
 
-/// Writes the adjacency matrix of the tiles of a surface as a symmetric integer MatrixMarket file: how many edges join
-/// two nodes. A loop counts twice, so sums of rows are degrees.
-void write_adjacency(const Surface& surface, GraphNodes nodes, std::ostream& out);
-
-/// Writes that of the triangles of a net. Throws NetGeometryError.
+/// Writes the adjacency matrix of the triangles of a net as a symmetric integer MatrixMarket file: how many edges join
+/// two nodes. A loop counts twice, so sums of rows are degrees. That of the tiles of a surface is its lattice_matrix
+/// (netgen/eigenvalues/lattice.h). Throws NetGeometryError.
 void write_adjacency(const certify::NetDocument& net, GraphNodes nodes, std::ostream& out);
 
 /// Writes a JSON object with the lifts, the isometries that glue their sides, and the labels

@@ -269,7 +269,7 @@ void add_crossings(PolygonPicture& picture) {
   for (const PolygonPicture::Curve& curve : picture.curves)
     segments.insert(segments.end(), curve.segments.begin(), curve.segments.end());
   if (segments.size() > kMostSegments) {
-    picture.left_out.emplace_back("where they cross: more than 4000 segments");
+    picture.left_out.push_back("where they cross: more than " + std::to_string(kMostSegments) + " segments");
     return;
   }
   std::map<std::pair<std::int64_t, std::int64_t>, Complex<double>> places;  // By place, rounded.

@@ -243,10 +243,18 @@ struct LatticeRequest {
   bool json = false;
 };
 
-Report lattice_report(const HermitianMatrix& matrix, const std::vector<certify::Interval>& found) {
+/// Of a lattice of which only the matrix is wanted, if it is that large.
+Report lattice_report(const HermitianMatrix& matrix, bool only_matrix) {
   Report report;
   std::ostringstream out;
   out << "nodes: " << matrix.size << '\n';
+  if (only_matrix) {
+    report.text =
+        out.str() + "eigenvalues: left out, as there are more than " + std::to_string(kMostLatticeNodes) + " nodes\n";
+    report.json = {{"nodes", matrix.size}};
+    return report;
+  }
+  const std::vector<certify::Interval> found = eigenvalues(matrix);
   Json rows = Json::array();
   for (std::size_t first = 0, next = 0; first < found.size(); first = next) {
     while (next < found.size() && found[next] == found[first]) ++next;
@@ -265,7 +273,7 @@ void find_lattice(const LatticeRequest& request) {
   std::vector<Rational> turns;
   if (request.phases) turns = parse_torus_point("--phases", *request.phases);
   const HermitianMatrix matrix = lattice_matrix(surface, request.nodes, turns);
-  const Report report = lattice_report(matrix, eigenvalues(matrix));
+  const Report report = lattice_report(matrix, !request.output.empty() && matrix.size > kMostLatticeNodes);
   write_output(request.output, [&](std::ostream& out) { write_matrix_market(matrix, out); });
   write_report(report, request.json, is_stdout(request.output));
 }
@@ -294,7 +302,8 @@ void add_lattice_command(CLI::App& app, Job& chosen) {
            "also write the matrix, for MatrixMarket (.mtx); \"-\" is standard output");
   add_json(*command, shared->json);
   command->footer(
-      "The matrix takes f to the sum of f over the neighbours of each node; a loop counts twice. At most 1500 nodes. "
+      "The matrix takes f to the sum of f over the neighbours of each node; a loop counts twice. Beyond 1500 nodes "
+      "only the matrix is written. "
       "The proof is the program's own; no file has it.\n\n"
       "Example:\n  epsnet surface named klein -o klein.json && epsnet lattice klein.json\n"
       "  epsnet surface regular --genus 2 -o s.json\n"

@@ -10,6 +10,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/distances.h"
+#include "netgen/eigenvalues/lattice.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/lifts/lifts.h"
@@ -203,7 +204,8 @@ std::function<void(const Exportable&, std::ostream&)> graph_writer(ExportFormat 
     case ExportFormat::face_adjacency:
       return [format](const Exportable& contents, std::ostream& out) {
         const auto nodes = format == ExportFormat::adjacency ? GraphNodes::vertices : GraphNodes::faces;
-        std::visit([&](const auto& source) { write_adjacency(source, nodes, out); }, contents);
+        if (const auto* net = std::get_if<certify::NetDocument>(&contents)) return write_adjacency(*net, nodes, out);
+        write_matrix_market(lattice_matrix(std::get<Surface>(contents), nodes), out);
       };
     default:
       return nullptr;

@@ -9,7 +9,7 @@
 #include "certify/base/text.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
-#include "netgen/curves/local_maximum.h"
+#include "netgen/curves/maximal_systoles.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/pictures/pictures.h"
@@ -79,17 +79,10 @@ std::string geodesics_text(const GeodesicsDocument& document) {
   return out.str();
 }
 
-const char* name_of(GeodesicsDocument::Claim claim) {
-  using enum GeodesicsDocument::Claim;
-  if (claim == systole) return "systole";
-  if (claim == thick_thin) return "thick-thin";
-  return claim == spectrum ? "spectrum" : "local-maximum";
-}
-
 Json geodesics_json(const GeodesicsDocument& document) {
   const bool small = document.claim == certify::GeodesicsDocument::Claim::thick_thin;
   Json result = Json::object();
-  result["claim"] = name_of(document.claim);
+  result["claim"] = document.claim_name();
   if (document.has_up_to()) result["up_to"] = document.up_to;
   result["geodesics"] = Json::array();
   for (const ClosedGeodesic& geodesic : document.geodesics) {

@@ -42,8 +42,8 @@ enum class GraphNodes {
   faces,     ///< Tiles or triangles, joined where they have an edge in common.
 };
 
-/// A step along an edge of the graph of tiles: f(to), seen from the tile where the step starts, is e^{2πi·turns} times
-/// the value of f in the coordinates of `to`, divided by the same factor of `from`.
+/// A step along an edge of a graph on a surface: f at its end, in the coordinates of the node `from`, is e^{2πi·turns}
+/// times f in those of the node `to`.
 struct PhasedStep {
   std::uint32_t from;
   std::uint32_t to;
@@ -51,10 +51,8 @@ struct PhasedStep {
 };
 
 /// Returns the steps along all edges in both directions, by side of a tile: those of tiles across the side; those of
-/// vertices along it, from its start to its end. A function with f(γz) = χ(γ) f(z) at the nodes is a number for each of
-/// them, in the coordinates of the tile itself or of the first tile with the vertex. In these, the sum of f over the
-/// neighbours of a node is that of e^{2πi·turns} f(to) over its steps. `phases` are those of phases_of_sides.
-/// O(sides).
+/// vertices along it, from its start to its end. The coordinates of a tile are its own, those of a vertex are those of
+/// the first tile that has it. `phases` are those of phases_of_sides. O(sides).
 [[nodiscard]] std::vector<PhasedStep> phased_steps(const Surface& surface, GraphNodes nodes,
                                                    const ById<SideId, Rational>& phases);
 

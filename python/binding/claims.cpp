@@ -7,8 +7,8 @@
 #include "netgen/base/gmp.h"
 #include "netgen/curves/closed_curves.h"
 #include "netgen/curves/lengths.h"
-#include "netgen/curves/local_maximum.h"
 #include "netgen/curves/mapping_class.h"
+#include "netgen/curves/maximal_systoles.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/eigenvalues/lattice.h"
@@ -129,13 +129,6 @@ namespace {
 using certify::GeodesicsDocument;
 using SharedGeodesics = Shared<GeodesicsDocument>;
 
-const char* name_of(GeodesicsDocument::Claim claim) {
-  using Claim = GeodesicsDocument::Claim;
-  if (claim == Claim::systole) return "systole";
-  if (claim == Claim::local_maximum) return "local-maximum";
-  return claim == Claim::spectrum ? "spectrum" : "thick-thin";
-}
-
 /// What the function `find(surface, options)` finds, and its certificate.
 template <class Find>
 std::pair<SharedGeodesics, certify::Certificate> found(const Surface& surface, const std::string& epsilon,
@@ -174,7 +167,7 @@ void bind_geodesics(py::module_& module) {
                   })
       .def("svg", [](const SharedGeodesics& self,
                      std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
-      .def_property_readonly("claim", [](const SharedGeodesics& self) { return name_of(self->claim); })
+      .def_property_readonly("claim", [](const SharedGeodesics& self) { return self->claim_name(); })
       .def_property_readonly("up_to", [](const SharedGeodesics& self) { return self->up_to; })
       .def_property_readonly("net", [](const SharedGeodesics& self) { return SharedNet(self->net); })
       .def_property_readonly(

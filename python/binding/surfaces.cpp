@@ -2,6 +2,7 @@
 
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "netgen/eigenvalues/lattice.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
@@ -148,7 +149,8 @@ void bind_surface_files(SurfaceClass& bound) {
             return interruptible([=] {
               return written([&](std::ostream& out) {
                 if (format == "edges") return write_edges(surface, out);
-                write_adjacency(surface, format == "adjacency" ? GraphNodes::vertices : GraphNodes::faces, out);
+                const GraphNodes nodes = format == "adjacency" ? GraphNodes::vertices : GraphNodes::faces;
+                write_matrix_market(lattice_matrix(surface, nodes), out);
               });
             });
           },

@@ -66,7 +66,7 @@ TEST(GeodesicsStructure, ASystoleHasNothingOfAList) {
 TEST(GeodesicsStructure, OnlyASpectrumHasABoundOfItsOwn) {
   GeodesicsDocument document = three_cuffs();
   document.up_to = "2";
-  expect_malformed(document, "up_to: only a spectrum has it");
+  expect_malformed(document, "up_to: only a spectrum or a local maximum has it");
 }
 
 TEST(GeodesicsStructure, OnlyAThickThinDecompositionHasPieces) {

@@ -48,6 +48,15 @@ TEST(TwistDerivatives, AreCosinesOfTheAngleFromOneLineToTheOther) {
   }
 }
 
+TEST(TwistDerivatives, ContainThoseOfAllLinesInTheBalls) {
+  const auto found = derivatives({line(0, ball(0), ball(1), ball(0)), line(0, ball(-0.5), ball(0.8, 0.01), ball(0))});
+  ASSERT_TRUE(found);
+  EXPECT_LE(lower_end((*found)[0][1]), 0.79);
+  EXPECT_GE(upper_end((*found)[0][1]), 0.81);
+  EXPECT_LE(lower_end((*found)[1][0]), -0.81);
+  EXPECT_GE(upper_end((*found)[1][0]), -0.79);
+}
+
 TEST(TwistDerivatives, LinesAreMovedByIsometries) {
   // Along the real axis by r: the same lines through another point.
   const double r = 1.2;
@@ -105,6 +114,18 @@ TEST(WeightsOfABasis, MakeTheSum0) {
   ASSERT_EQ(found->size(), 2);
   EXPECT_NEAR(upper_end((*found)[0]), -2.5, 1e-12);
   EXPECT_NEAR(upper_end((*found)[1]), -21, 1e-12);
+}
+
+/// With derivatives that are known roughly: 3 ± 0.2 divided by 2 ± 0.1, in one and in two equations.
+TEST(WeightsOfABasis, ContainThoseOfAllNumbersInTheBalls) {
+  const std::vector<Ball> row{ball(-2, 0.1), ball(3, 0.2)};
+  const std::vector<std::vector<Ball>> two{{row[0], ball(0), row[1]}, {ball(0), ball(-1), ball(5)}};
+  for (const auto& found :
+       {weights_of_basis(lifted().plane(), {row}, {0}, {1}), weights_of_basis(lifted().plane(), two, {0, 1}, {1})}) {
+    ASSERT_TRUE(found);
+    EXPECT_LE(lower_end((*found)[0]), 2.8 / 2.1);
+    EXPECT_GE(upper_end((*found)[0]), 3.2 / 1.9);
+  }
 }
 
 TEST(WeightsOfABasis, AreNothingUnlessTheMatrixHasAnInverse) {

@@ -13,7 +13,7 @@
 
 #include "certify/check.h"
 #include "certify/exact/checker.h"
-#include "certify/exact/linear_equations.h"
+#include "certify/exact/interval.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 
@@ -355,6 +355,30 @@ TEST(LinearEquations, HaveTheSolutionThatTheyAreMadeOf) {
     }
   }
   EXPECT_GT(solved, 100);
+}
+
+/// (a ± r)x + by = c ± s and dx + (e ± r)y = f: by Cramer's rule for all ends of the intervals.
+TEST(LinearEquations, ContainTheSolutionsForAllNumbersInTheIntervals) {
+  const mpq_class r(1, 10), s(1, 5);
+  const auto around = [](const mpq_class& x, const mpq_class& radius) {
+    return hull(Interval(mpq_class(x - radius)), Interval(mpq_class(x + radius)));
+  };
+  const mpq_class a = 3, b = 1, c = 7, d = -2, e = 2, f = 5;
+  const auto found = solution({{around(a, r), Interval(b)}, {Interval(d), around(e, r)}}, {around(c, s), Interval(f)});
+  ASSERT_TRUE(found);
+  for (const int i : {-1, 1}) {
+    for (const int j : {-1, 1}) {
+      for (const int k : {-1, 1}) {
+        const mpq_class p = a + i * r, q = e + j * r, right = c + k * s;
+        const mpq_class determinant = p * q - b * d;
+        const std::array<mpq_class, 2> x{(right * q - b * f) / determinant, (p * f - d * right) / determinant};
+        for (std::size_t n = 0; n < 2; ++n) {
+          EXPECT_LE((*found)[n].lower(), x[n].get_d() + 1e-12);
+          EXPECT_GE((*found)[n].upper(), x[n].get_d() - 1e-12);
+        }
+      }
+    }
+  }
 }
 
 TEST(LinearEquations, OfWideIntervalsHaveNoSolution) {

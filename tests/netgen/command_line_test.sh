@@ -640,6 +640,11 @@ says '^1 eigenvalue in \[0\.99'
 head -n 1 lattice.mtx | grep -q '^%%MatrixMarket matrix coordinate ' || complain "the matrix of a lattice: $(head -n 1 lattice.mtx)"
 json '^{"nodes":1,"eigenvalues":\[{"in":\[7\.99[0-9]*,8\.00[0-9]*\],"count":1}\]}$' lattice s.json --json
 bad 1 '^epsnet: 1 phase found, expected 4, those of the sides 0, 1, 2, 3$' lattice s.json --phases 1/2
+good surface fenchel-nielsen --genus 752 --seed 1 -o many-tiles.json
+bad 1 '^epsnet: eigenvalues of a lattice of 1502 nodes: at most 1500 are possible$' lattice many-tiles.json --nodes faces
+good lattice many-tiles.json --nodes faces -o lattice.mtx
+says '^eigenvalues: left out, as there are more than 1500 nodes$'
+sed -n 2p lattice.mtx | grep -q '^1502 1502 ' || complain "the matrix of a large lattice: $(sed -n 2p lattice.mtx)"
 bad 64 '^epsnet: lattice: --nodes: expected one of vertices, faces, not "edges"' lattice s.json --nodes edges
 bad 64 '^epsnet: which points? Either --between or --path is needed$' bands s.json
 bad 64 '^epsnet: bands: --between excludes --path' bands s.json --path path.txt --between G

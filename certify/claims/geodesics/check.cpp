@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <numeric>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -57,7 +56,7 @@ Problem systole_problem(const GeodesicsDocument& document) {
 Problem up_to_problem(const GeodesicsDocument& document) {
   if (!document.has_up_to()) {
     if (document.up_to.empty()) return std::nullopt;
-    return "up_to: only a spectrum has it";
+    return "up_to: only a spectrum or a local maximum has it";
   }
   const auto up_to = parse_decimal(document.up_to);
   if (!up_to) return "up_to: " + in_quotes(document.up_to) + " is not a decimal, such as \"2.5\"";
@@ -459,7 +458,7 @@ class GeodesicsCheck {
   // Rule maximal.
 
   void check_maximal(const CrossingPass& crossings) {
-    const std::span<const AxisCrossings> shortest(crossings.geodesics().data(), document_.clusters[0].count);
+    const std::vector<AxisCrossings>& shortest = crossings.geodesics();
     const auto derivatives = twist_derivatives(crossings.net().plane(), shortest, document_.basis);
     if (!derivatives) {
       rules_.doubt(kMaximal, "not decided which of the shortest geodesics cross, with " + bits());

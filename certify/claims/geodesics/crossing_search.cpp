@@ -474,10 +474,11 @@ CrossingPass::CrossingPass(const GeodesicsDocument& document, const LabelEvaluat
   search_.emplace(moved_, *order_, cosh_half);
   const std::size_t count = document.geodesics.size();
   const bool together = document.claim == GeodesicsDocument::Claim::thick_thin;
-  const bool kept = together || document.claim == GeodesicsDocument::Claim::local_maximum;
+  const bool is_maximum = document.claim == GeodesicsDocument::Claim::local_maximum;
+  const std::size_t kept = together ? count : is_maximum ? document.clusters[0].count : 0;
   std::vector<LeastSequence> sequences(count);
   meetings_.resize(count);
-  geodesics_.resize(kept ? count : 0);
+  geodesics_.resize(kept);
   for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
     const auto [first_dart, element] = member(i);
     std::optional<AxisCrossings> crossings = axis_crossings(moved_, first_dart, element);
@@ -486,7 +487,7 @@ CrossingPass::CrossingPass(const GeodesicsDocument& document, const LabelEvaluat
     // A power runs through the same chords again and again.
     crossings->darts.resize(crossings->darts.size() / sequences[i].exponent);
     if (!together) meetings_[i] = find_meetings(plane_, {&*crossings, 1})[0];
-    if (kept) geodesics_[i] = *std::move(crossings);
+    if (i < kept) geodesics_[i] = *std::move(crossings);
   });
   if (std::any_of(sequences.begin(), sequences.end(), [](const auto& sequence) { return sequence.root.empty(); })) {
     return;

@@ -234,7 +234,7 @@ class CrossingPass {
   [[nodiscard]] const SequenceTable& table() const { return *table_; }
   /// By geodesic: whether it crosses itself; and, for a thick-thin decomposition, another one.
   [[nodiscard]] const std::vector<Meetings>& meetings() const { return meetings_; }
-  /// The geodesics of a thick-thin decomposition or of a local maximum; nothing else is kept.
+  /// The geodesics of a thick-thin decomposition, or the first cluster of a local maximum; nothing else is kept.
   [[nodiscard]] const std::vector<AxisCrossings>& geodesics() const { return geodesics_; }
   [[nodiscard]] const MovedNet& net() const { return moved_; }
   /// How many loop edges are inside the collars of their cores.

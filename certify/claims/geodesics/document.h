@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,8 @@ struct GeodesicsDocument {
   /// along them. `local_maximum`: a spectrum of which the first cluster has the shortest closed geodesics, and the
   /// systole of any other surface near this one is less.
   enum class Claim { systole, spectrum, thick_thin, local_maximum };
+  /// By claim, what files call it.
+  static constexpr std::array<std::string_view, 4> kClaimNames{"systole", "spectrum", "thick-thin", "local-maximum"};
 
   /// The closed geodesic in the free homotopy class of a loop at a vertex.
   ///
@@ -63,6 +68,8 @@ struct GeodesicsDocument {
   std::vector<std::uint32_t> basis;    ///< Shortest closed geodesics, of which the gradients are a basis.
   std::vector<std::uint32_t> weights;  ///< Of the other shortest ones, in order.
 
+  /// What files call the claim.
+  [[nodiscard]] std::string_view claim_name() const { return kClaimNames.at(static_cast<std::size_t>(claim)); }
   /// Whether the list goes up to the length `up_to`.
   [[nodiscard]] bool has_up_to() const { return claim == Claim::spectrum || claim == Claim::local_maximum; }
   bool operator==(const GeodesicsDocument&) const = default;

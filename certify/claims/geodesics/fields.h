@@ -18,7 +18,7 @@ namespace epsnet::certify {
 
 template <>
 struct Fields<GeodesicsDocument::Claim> {
-  static constexpr std::array<std::string_view, 4> kNames{"systole", "spectrum", "thick-thin", "local-maximum"};
+  static constexpr const auto& kNames = GeodesicsDocument::kClaimNames;
 };
 
 template <>

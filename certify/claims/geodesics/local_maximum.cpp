@@ -67,11 +67,11 @@ std::optional<std::vector<std::vector<Ball>>> twist_derivatives(const LiftedPlan
     for (std::size_t i = 0; i < darts.size(); ++i) {
       const auto [first, last] =
           std::equal_range(chords.begin(), chords.end(), TriangleChord{darts[i] / 3, 0, nullptr}, is_before);
+      plane.spend(8, static_cast<std::uint64_t>(last - first));
       for (auto chord = first; chord != last; ++chord) {
         Tri& known = cross[chord->geodesic];
         // Two of one geodesic do not cross; and those of two that cross do so at one point, wherever it is met.
         if (chord->geodesic == about[k] || known == Tri::yes) continue;
-        plane.spend(8);
         const Tri here =
             certainly_less(abs(lorentz_product(axes[i], *chord->axis, plane.precision())), Ball::exactly(1));
         known = either(known, here);
