@@ -75,8 +75,8 @@ struct Fields<GeodesicsDocument> {
             member("geodesics", document.geodesics),
             member("clusters", document.clusters).only_if(claim != systole, for_claim),
             member("pieces", document.pieces).only_if(claim == thick_thin, for_claim),
-            member("basis", List(document.basis)).only_if(claim == local_maximum, for_claim),
-            member("weights", List(document.weights)).only_if(claim == local_maximum, for_claim)));
+            member("basis", List{document.basis}).only_if(claim == local_maximum, for_claim),
+            member("weights", List{document.weights}).only_if(claim == local_maximum, for_claim)));
   }
 };
 
