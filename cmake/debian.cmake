@@ -1,6 +1,6 @@
 # Debian packages: cmake --preset package && cmake --build --preset package && cpack --preset package (.ci/package does that).
 #   epsnet          the programs, their manual pages and completion, the documents
-#   libepsnet0.2    the shared libraries
+#   libepsnet0.3    the shared libraries
 #   libepsnet-dev   headers, the packages of CMake and pkg-config, the examples
 #   python3-epsnet  the Python module, for the Python of this Debian
 #   certify-proved  the checker that is proved in Coq, if EPSNET_PROVED is ON: what formal/build has built
