@@ -1,22 +1,29 @@
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "certify/exact/claim_rules.h"
 #include "certify/exact/interval.h"
+#include "certify/exact/loops.h"
+#include "certify/exact/rough_interval.h"
 
 namespace epsnet::exact {
 namespace {
 
 using Claim = BoundDocument::Claim;
 
-/// Values of sinh² that one bound file may ask for: a quarter of a minute. And darts of all triangulations together:
-/// half a gigabyte.
-constexpr std::size_t kMaxValues = 10'000'000;
-/// Values that take as long as the functions of a triangle, for each of its darts.
-constexpr std::size_t kFunctions = 10;
+/// The work that one bound file may take: a quarter of a minute, in values of sinh² to a few digits. Elements: 300 MB.
+/// Darts of all triangulations together: half a gigabyte.
+constexpr std::size_t kMaxWork = 200'000'000;
+constexpr std::size_t kMaxElements = 100'000;
 constexpr std::size_t kMaxDarts = 25'000'000;
+/// Values that take as long as one to all digits, and as the functions of a triangle, for each of its darts.
+constexpr std::size_t kAllDigits = 20;
+constexpr std::size_t kFunctions = 5;
 /// Steps that make the base: some 100 MB.
 constexpr std::size_t kMaxSteps = 100'000;
 
@@ -32,21 +39,131 @@ struct Base : Map {
   std::vector<Vector> point;
 };
 
-/// sinh²(d(p, gp)/2) = σ + ⟨n, U(p)⟩² for a point p.
-struct Displacement {
-  Interval sigma;
-  Vector n;
+template <class Number>
+using VectorOf = std::array<Number, 3>;
 
-  [[nodiscard]] Interval at(const Vector& u) const { return sigma + square(n[0] * u[0] + n[1] * u[1] + n[2] * u[2]); }
+[[nodiscard]] VectorOf<RoughInterval> rounded(const Vector& u) {
+  return {RoughInterval(u[0]), RoughInterval(u[1]), RoughInterval(u[2])};
+}
+
+/// sinh²(d(p, gp)/2) = σ + ⟨n, U(p)⟩² for a point p.
+template <class Number>
+struct Displacement {
+  Number sigma;
+  VectorOf<Number> n;
+
+  [[nodiscard]] Number at(const VectorOf<Number>& u) const {
+    return sigma + square(n[0] * u[0] + n[1] * u[1] + n[2] * u[2]);
+  }
 };
 
+/// Elements of the group, each once, and its inverse, by where it takes the vertex of the net (Lemma 21.1).
 template <class R>
-Displacement displacement_of(const Isometry<R>& g) {
-  const Interval d = enclosure(R(norm(g.a) - norm(g.b)));
-  const Interval root = sqrt(d);
-  const auto scaled = [&](const R& x) { return enclosure(x) / root; };
-  return {enclosure(R(norm(g.b) - g.a.im * g.a.im)) / d, {scaled(-g.b.im), scaled(g.b.re), scaled(-g.a.im)}};
-}
+class Elements {
+ public:
+  static constexpr std::size_t kIdentity = 0;
+
+  struct Element {
+    Motion motion;
+    Place place;  ///< Of the vertex.
+    std::size_t inverse;
+    Displacement<Interval> displacement;
+    Displacement<RoughInterval> rough_displacement;
+  };
+
+  /// The identity, and the elements of the net's darts. The rules of the net, which has one vertex, are verified.
+  explicit Elements(NetRules<R>& net) {
+    const Point<R> z = net.corner(0);
+    const Interval m = enclosure(z.m);
+    vertex_ = {{enclosure(z.n.re) / m, enclosure(z.n.im) / m}, {1, 0}};
+    std::vector<Motion> motions;
+    for (Index dart = 0; dart < net.darts(); ++dart) {
+      motions.push_back(enclose(net.element(dart)));
+      const Interval length = apart(image(motions.back(), vertex_), vertex_);
+      shortest_ = dart == 0 ? length : -max(-shortest_, -length);
+    }
+    add({});
+    for (const Motion& motion : motions) of_dart_.push_back(found_or_added(motion));
+    for (const Motion& motion : motions) along_.push_back({motion, rounded(image(motion, vertex_))});
+  }
+
+  [[nodiscard]] std::size_t of_dart(Index dart) const { return of_dart_[dart]; }
+  [[nodiscard]] const Element& operator[](std::size_t g) const { return elements_[g]; }
+  /// g ∘ f. Throws TooLarge.
+  [[nodiscard]] std::size_t product(std::size_t g, std::size_t f) {
+    return found_or_added(compose(elements_[g].motion, elements_[f].motion));
+  }
+  /// Darts that were followed from the vertex.
+  [[nodiscard]] std::size_t darts_followed() const { return darts_followed_; }
+
+ private:
+  struct Along {
+    Motion motion;
+    RoughPlace place;
+  };
+
+  /// sinh²(d/2) of two lifts of the vertex, times a constant.
+  template <class Number>
+  [[nodiscard]] static Number apart(const PlaceOf<Number>& x, const PlaceOf<Number>& y) {
+    return norm(x.n * y.d - y.n * x.d);
+  }
+  /// Whether two lifts of the vertex are nearer to each other than the ends of every edge, so equal. Others are not
+  /// nearer than those, so half of that decides.
+  [[nodiscard]] Answer are_same(const Place& x, const Place& y) const { return is_less(2 * apart(x, y), shortest_); }
+
+  [[nodiscard]] std::size_t found_or_added(const Motion& g) {
+    const Place place = image(g, vertex_);
+    const auto known = table_.find(0, place, [&](std::size_t k) { return are_same(elements_[k].place, place); });
+    return known ? *known : add(along_edges(g, place));
+  }
+
+  /// The same element as a product of few edges of the net, each the next one on a way from the vertex to its image:
+  /// what products of products are not known well lose is not handed on. As it is, if there is no such way.
+  [[nodiscard]] Motion along_edges(const Motion& g, const Place& place) {
+    Motion way;
+    RoughPlace rest = rounded(place);
+    double left = apart(rest, rounded(vertex_)).upper();
+    constexpr int kMostEdges = 1000;
+    for (int edges = 0; edges < kMostEdges; ++edges) {
+      const Along* nearest = nullptr;
+      for (const Along& dart : along_) {
+        const double distance = apart(rest, dart.place).upper();
+        if (distance >= left) continue;
+        left = distance;
+        nearest = &dart;
+      }
+      darts_followed_ += along_.size();
+      if (nearest == nullptr) return are_same(image(way, vertex_), place) == Answer::yes ? way : g;
+      way = compose(way, nearest->motion);
+      rest = rounded(image(inverse(way), place));
+    }
+    return g;
+  }
+
+  std::size_t add(const Motion& g) {
+    if (elements_.size() > kMaxElements) throw TooLarge{"its triangulations have too many elements for this checker"};
+    const std::size_t number = elements_.size();
+    const bool is_identity = number == kIdentity;
+    add_one(g, is_identity ? number : number + 1);
+    if (!is_identity) add_one(inverse(g), number);
+    return number;
+  }
+  void add_one(const Motion& g, std::size_t inverse) {
+    const Displacement<Interval> displacement{squared_half_length(g), {-g.b.im, g.b.re, -g.a.im}};
+    const Place place = image(g, vertex_);
+    table_.insert(0, place, elements_.size());
+    elements_.push_back(
+        {g, place, inverse, displacement, {RoughInterval(displacement.sigma), rounded(displacement.n)}});
+  }
+
+  Place vertex_;
+  Interval shortest_;  ///< Of `apart`, among the edges of the net.
+  std::vector<Element> elements_;
+  std::vector<std::size_t> of_dart_;
+  std::vector<Along> along_;  ///< By dart.
+  PointTable table_;
+  std::size_t darts_followed_ = 0;
+};
 
 template <class R>
 Vector unit_vector(const Point<R>& z) {
@@ -55,18 +172,11 @@ Vector unit_vector(const Point<R>& z) {
   return {quotient(2 * z.n.re * z.m), quotient(2 * z.n.im * z.m), quotient(z.m * z.m + norm(z.n))};
 }
 
-/// The image of a unit vector under an isometry: with w = x + iy, of (a²w + b²w̄ + 2abt, (|a|² + |b|²)t + 2 Re(ab̄w)).
-template <class R>
-Vector moved(const Isometry<R>& g, const Vector& p) {
-  const Interval d = enclosure(R(norm(g.a) - norm(g.b)));
-  const auto quotient = [&](const R& x) { return enclosure(x) / d; };
-  const Complex<R> a2 = g.a * g.a;
-  const Complex<R> b2 = g.b * g.b;
-  const Complex<R> ab = g.a * g.b;
-  const Complex<R> c = g.a * conjugate(g.b);
-  return {quotient(a2.re + b2.re) * p[0] + quotient(b2.im - a2.im) * p[1] + 2 * quotient(ab.re) * p[2],
-          quotient(a2.im + b2.im) * p[0] + quotient(a2.re - b2.re) * p[1] + 2 * quotient(ab.im) * p[2],
-          2 * quotient(c.re) * p[0] - 2 * quotient(c.im) * p[1] + quotient(norm(g.a) + norm(g.b)) * p[2]};
+/// The image of a unit vector: with w = x + iy, of (a²w + b²w̄ + 2abt, (|a|² + |b|²)t + 2 Re(ab̄w)).
+Vector moved(const Motion& g, const Vector& p) {
+  const Complex<Interval> w{p[0], p[1]};
+  const Complex<Interval> z = g.a * g.a * w + Interval(2 * p[2]) * (g.a * g.b) + g.b * g.b * conjugate(w);
+  return {z.re, z.im, (norm(g.a) + norm(g.b)) * p[2] + 2 * (g.a * conjugate(g.b) * w).re};
 }
 
 Interval cosh_distance(const Vector& p, const Vector& q) { return p[2] * q[2] - p[0] * q[0] - p[1] * q[1]; }
@@ -121,11 +231,11 @@ class BoundRules {
     if (darts > kMaxDarts)
       throw TooLarge{"the triangulations have " + number(darts) + " darts, and this checker takes " +
                      number(kMaxDarts)};
+    elements_.emplace(net_);
     Map first{std::vector<Index>(net_.darts()), std::vector<std::size_t>(net_.darts())};
     for (Index dart = 0; dart < net_.darts(); ++dart) {
       first.opposite[dart] = net_.opposite(dart);
-      first.element[dart] = elements_.size();
-      elements_.push_back(net_.element(dart));
+      first.element[dart] = elements_->of_dart(dart);
     }
     maps_.push_back(std::move(first));
     for (const BoundDocument::Triangulation& row : document_.triangulations) {
@@ -137,7 +247,6 @@ class BoundRules {
   }
 
   void check_cells() {
-    for (std::size_t k = 0; k < in_triangulations_; ++k) displacements_.push_back(displacement_of(elements_[k]));
     const Interval end(document_.value[document_.claim == Claim::radius ? 0 : 1]);
     sinh_ = sinh(end);
     cosh_ = cosh(end);
@@ -175,7 +284,6 @@ class BoundRules {
     if (document_.base.size() > kMaxSteps)
       throw TooLarge{"the base has " + number(document_.base.size()) + " steps, and this checker takes " +
                      number(kMaxSteps)};
-    in_triangulations_ = elements_.size();
     static_cast<Map&>(base_) = maps_[0];
     base_.start.resize(net_.darts());
     base_.point.push_back(unit_vector(net_.corner(0)));
@@ -218,14 +326,11 @@ class BoundRules {
     const std::size_t from_c = base_.element[previous(d)];
     const std::size_t to_b = base_.element[d];
     const std::size_t to_x = base_.element[next(e)];
-    const std::size_t one = elements_.size();
-    const std::size_t to_c = one + 1;
-    const std::size_t from_x = one + 2;
-    elements_.push_back(Isometry<R>());
-    elements_.push_back(inverse(Isometry<R>(elements_[from_c])));
-    elements_.push_back(inverse(Isometry<R>(elements_[to_x])));
+    constexpr std::size_t one = Elements<R>::kIdentity;
+    const std::size_t to_c = element(from_c).inverse;
+    const std::size_t from_x = element(to_x).inverse;
     const Vector& from = base_.point[a];
-    const Vector to = moved(elements_[to_b], base_.point[b]);
+    const Vector to = moved(element(to_b).motion, base_.point[b]);
     base_.point.push_back(midpoint(from, to, sqrt((cosh_distance(from, to) + 1) / 2)));
     const auto m = static_cast<Index>(base_.point.size() - 1);
     base_.opposite.resize(max + 3);
@@ -264,10 +369,10 @@ class BoundRules {
     // c → a, a → x, x → b, b → c.
     const std::array<Index, 4> from{previous(d), next(e), previous(e), next(d)};
     std::array<Index, 4> across{};
-    std::array<std::size_t, 4> element{};
+    std::array<std::size_t, 4> along{};
     for (std::size_t i = 0; i < 4; ++i) {
       across[i] = map.opposite[from[i]];
-      element[i] = map.element[from[i]];
+      along[i] = map.element[from[i]];
     }
     const std::array<Index, 4> to{next(d), previous(d), next(e), previous(e)};
     const auto moved = [&](Index dart) {
@@ -280,39 +385,49 @@ class BoundRules {
       const Index other = moved(across[i]);
       map.opposite[to[i]] = other;
       map.opposite[other] = to[i];
-      map.element[to[i]] = element[i];
+      map.element[to[i]] = along[i];
     }
-    const Isometry<R> product = net_.product(elements_[element[0]], elements_[element[1]]);
-    map.element[e] = elements_.size();
-    map.element[d] = elements_.size() + 1;
-    elements_.push_back(product);
-    elements_.push_back(inverse(product));
+    const std::size_t before = elements_->darts_followed();
+    map.element[e] = elements_->product(along[0], along[1]);
+    map.element[d] = element(map.element[e]).inverse;
+    spend(elements_->darts_followed() - before);
   }
 
   /// The triangle of the base with this dart as the first.
   Cell triangle(Index dart) {
     const auto corner = [&](Index d) -> const Vector& { return base_.point[base_.start[d]]; };
     Cell cell;
-    cell.corner = {corner(dart), moved(elements_[base_.element[dart]], corner(dart + 1)),
-                   moved(inverse(elements_[base_.element[dart + 2]]), corner(dart + 2))};
+    cell.corner = {corner(dart), moved(element(base_.element[dart]).motion, corner(dart + 1)),
+                   moved(inverse(element(base_.element[dart + 2]).motion), corner(dart + 2))};
     for (std::size_t i = 0; i < 3; ++i) cell.cosh[i] = cosh_distance(cell.corner[i], cell.corner[(i + 1) % 3]);
     return cell;
   }
 
+  [[nodiscard]] const typename Elements<R>::Element& element(std::size_t g) const { return (*elements_)[g]; }
+  template <class Number>
+  [[nodiscard]] const Displacement<Number>& displacement(std::size_t g) const {
+    if constexpr (std::is_same_v<Number, Interval>) {
+      return element(g).displacement;
+    } else {
+      return element(g).rough_displacement;
+    }
+  }
+
   /// The values of sinh²(d(p, gp)/2) of all darts at a point.
-  std::vector<Interval> values(const Map& map, const Vector& p) {
-    spend(net_.darts());
-    std::vector<Interval> h(net_.darts());
+  template <class Number>
+  std::vector<Number> values(const Map& map, const VectorOf<Number>& p) {
+    spend(net_.darts() * (std::is_same_v<Number, Interval> ? kAllDigits : 1));
+    std::vector<Number> h(net_.darts());
     for (Index dart = 0; dart < net_.darts(); ++dart) {
       const Index other = map.opposite[dart];
-      h[dart] = other < dart ? h[other] : displacements_[map.element[dart]].at(p);
+      h[dart] = other < dart ? h[other] : displacement<Number>(map.element[dart]).at(p);
     }
     return h;
   }
 
-  void spend(std::size_t values) {
-    if (values > values_left_) throw TooLarge{"there are too many cells and triangles for this checker"};
-    values_left_ -= values;
+  void spend(std::size_t work) {
+    if (work > work_left_) throw TooLarge{"there are too many cells and triangles for this checker"};
+    work_left_ -= work;
   }
 
   Answer is_bounded(const Cell& cell, Index by) {
@@ -325,23 +440,30 @@ class BoundRules {
       case Claim::embedded_disk:
         break;
     }
-    return has_short_loop(cell, displacements_[maps_[by / darts].element[by % darts]]);
+    return has_short_loop(cell, element(maps_[by / darts].element[by % darts]).displacement);
   }
 
   /// At the corners of the cell every triangle lies in a disk of radius HI.
   Answer is_covered(const Cell& cell, const Map& map) {
     Answer result = Answer::yes;
     for (const Vector& p : cell.corner) {
-      const std::vector<Interval> h = values(map, p);
-      for (std::size_t t = 0; t < h.size(); t += 3)
-        result = both(result, fits_in_disk(h[t], h[t + 1], h[t + 2], most_));
+      Answer here = all_fit(values(map, rounded(p)), RoughInterval(most_));
+      if (here == Answer::unknown) here = all_fit(values(map, p), most_);
+      result = both(result, here);
     }
     return result;
   }
 
+  template <class Number>
+  static Answer all_fit(const std::vector<Number>& h, const Number& most) {
+    Answer result = Answer::yes;
+    for (std::size_t t = 0; t < h.size(); t += 3) result = both(result, fits_in_disk(h[t], h[t + 1], h[t + 2], most));
+    return result;
+  }
+
   /// d(p, gp) <= 2 HI at the corners, and g is not the identity.
-  Answer has_short_loop(const Cell& cell, const Displacement& g) {
-    spend(3);
+  Answer has_short_loop(const Cell& cell, const Displacement<Interval>& g) {
+    spend(3 * kAllDigits);
     Answer is_short = Answer::yes;
     Answer moves = Answer::unknown;
     for (const Vector& p : cell.corner) {
@@ -355,25 +477,26 @@ class BoundRules {
   /// Lemma 25 at the middle of a side, with a triangle whose circumradius is at least LO + D.
   Answer is_far(const Cell& cell, const Map& map, Index side) {
     const Middle middle = middle_of(cell, side);
-    spend(kFunctions * net_.darts());
-    const std::vector<Interval> h = values(map, middle.point);
     // D: to either end of the side, and to the corner opposite. sinh(LO + D) from cosh D.
     const Interval reach = max(middle.half, middle.median);
-    return is_delaunay_and_wide(map.opposite, h, square(sinh_ * reach + cosh_ * sqrt(square(reach) - 1)));
+    const Interval least = square(sinh_ * reach + cosh_ * sqrt(square(reach) - 1));
+    spend(kFunctions * net_.darts());
+    const Answer roughly = is_delaunay_and_wide(map.opposite, values(map, rounded(middle.point)), RoughInterval(least));
+    if (roughly != Answer::unknown) return roughly;
+    spend(kFunctions * kAllDigits * net_.darts());
+    return is_delaunay_and_wide(map.opposite, values(map, middle.point), least);
   }
 
   const BoundDocument& document_;
   NetRules<R>& net_;
-  std::vector<Isometry<R>> elements_;
-  std::size_t in_triangulations_ = 0;  ///< Elements before those of the base.
+  std::optional<Elements<R>> elements_;
   std::vector<Map> maps_;
   Base base_;
-  std::vector<Displacement> displacements_;
   // Of the bound for cells.
   Interval sinh_;
   Interval cosh_;
   Interval most_;  ///< sinh².
-  std::size_t values_left_ = kMaxValues;
+  std::size_t work_left_ = kMaxWork;
 };
 
 /// The cells of a triangle in preorder: as many as the cuts need, and each bounded by something.
@@ -387,56 +510,73 @@ void expect_subdivision(const std::vector<Index>& cells, std::size_t bounds) {
   if (open != 0) throw Malformed("a subdivision ends early");
 }
 
-/// Whether the areas of triangles, of which tan(A/2) is given, sum up to less than that of the surface and any one of
-/// them.
-template <class Arctan>
-Answer all_counterclockwise(const std::vector<Interval>& tangent, const Arctan& arctan_of) {
-  Interval all = -Interval(static_cast<long>(tangent.size()) - 2) * Interval::pi();
-  std::vector<Interval> areas;
-  for (const Interval& x : tangent) {
-    areas.push_back(2 * arctan_of(x));
-    all = all + areas.back();
+/// Whether ΣA < A + π(F − 2) for each of the areas A of F triangles, of which e^{iA/2} is given, 0 < A < π.
+template <class Number>
+Answer all_counterclockwise(const std::vector<Complex<Number>>& halves) {
+  // ΣA/2 = φ + quarters·π/2, with e^{iφ} and −π/4 < φ < 3π/4. A factor e^{iA/2} adds less than π/2, and −i takes π/2
+  // off where φ is more than that, or nearly: 2π lie between what else it might be.
+  Complex<Number> sum{1, 0};
+  auto quarters = 2 - static_cast<long>(halves.size());
+  const auto take_off = [&] {
+    sum = {sum.im, -sum.re};
+    ++quarters;
+  };
+  for (const Complex<Number>& half : halves) {
+    sum = sum * half;
+    if (sum.re.lower() + sum.re.upper() < 0) take_off();
+    if (is_less(0, sum.re + sum.im) != Answer::yes) return Answer::unknown;
   }
+  if (quarters == -1) take_off();
+  if (quarters > 1 || (quarters == 1 && is_less(sum.im, 0) == Answer::no))
+    return Answer::no;  // ΣA/2 > π/2 + π(F − 2)/2
+  if (quarters != 0) return Answer::unknown;
+  // φ − A/2 is between −5π/4 and 3π/4, so its sine is negative only if φ < A/2.
   Answer result = Answer::yes;
-  for (const Interval& area : areas) result = both(result, is_less(all, area));
+  for (const Complex<Number>& half : halves) result = both(result, is_less((sum * conjugate(half)).im, 0));
   return result;
 }
 
 }  // namespace
 
-Answer fits_in_disk(const Interval& a, const Interval& b, const Interval& c, const Interval& most) {
+template <class Number>
+Answer fits_in_disk(const Number& a, const Number& b, const Number& c, const Number& most) {
   const Answer is_short = both(both(!is_less(most, a), !is_less(most, b)), !is_less(most, c));
   const Answer acute = both(both(is_less(a, b + c), is_less(b, c + a)), is_less(c, a + b));
-  const Interval k = 4 * a * b - square(a + b - c);
+  const Number k = 4 * a * b - square(a + b - c);
   // A disk around the circumcentre, or around the middle of the longest side.
   const Answer around_centre = both(is_less(0, k), !is_less(k * most, 4 * a * b * c));
   return both(is_short, either(around_centre, !acute));
 }
 
-Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Interval>& h, const Interval& least) {
-  std::vector<Interval> kappa(h.size()), tangent;
+template <class Number>
+Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Number>& h, const Number& least) {
+  std::vector<Number> kappa(h.size());
+  std::vector<Complex<Number>> halves;
   Answer result = Answer::yes;
   Answer wide = Answer::no;
   for (std::size_t t = 0; t < h.size(); t += 3) {
-    const std::array<Interval, 3> x{h[t], h[t + 1], h[t + 2]};
-    const Interval k = 4 * x[0] * x[1] - square(x[0] + x[1] - x[2]);
-    const Interval product = 4 * x[0] * x[1] * x[2];
+    const std::array<Number, 3> x{h[t], h[t + 1], h[t + 2]};
+    const Number k = 4 * x[0] * x[1] - square(x[0] + x[1] - x[2]);
+    const Number product = 4 * x[0] * x[1] * x[2];
     result = both(result, is_less(0, k));
-    const Interval scale = 1 / sqrt(k);
+    const Number scale = 1 / sqrt(k);
     for (std::size_t i = 0; i < 3; ++i) kappa[t + i] = (x[(i + 1) % 3] + x[(i + 2) % 3] - x[i]) * scale;
-    tangent.push_back(sqrt(k + product) / (2 + x[0] + x[1] + x[2]));
+    // tan(A/2) = √(K + 4abc)/(2 + a + b + c), and the sum of the squares of both is 4(1 + a)(1 + b)(1 + c).
+    const Number unit = 1 / (2 * sqrt((1 + x[0]) * (1 + x[1]) * (1 + x[2])));
+    halves.push_back({(2 + x[0] + x[1] + x[2]) * unit, sqrt(k + product) * unit});
     wide = either(wide, !is_less(product, k * least));
   }
   for (std::size_t dart = 0; dart < h.size(); ++dart) {
     result = both(result, is_less(0, kappa[dart] + kappa[opposite[dart]]));
   }
-  // Few digits decide but where a triangle is very small.
-  Answer counterclockwise = all_counterclockwise(tangent, [](const Interval& x) { return rough_arctan(x); });
-  if (counterclockwise == Answer::unknown) {
-    counterclockwise = all_counterclockwise(tangent, [](const Interval& x) { return arctan(x); });
-  }
-  return both(both(result, counterclockwise), wide);
+  return both(both(result, all_counterclockwise(halves)), wide);
 }
+
+template Answer fits_in_disk(const RoughInterval&, const RoughInterval&, const RoughInterval&, const RoughInterval&);
+template Answer fits_in_disk(const Interval&, const Interval&, const Interval&, const Interval&);
+template Answer is_delaunay_and_wide(const std::vector<Index>&, const std::vector<RoughInterval>&,
+                                     const RoughInterval&);
+template Answer is_delaunay_and_wide(const std::vector<Index>&, const std::vector<Interval>&, const Interval&);
 
 template <class R>
 std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {

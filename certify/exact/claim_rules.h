@@ -24,11 +24,13 @@ template <class R>
 [[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net);
 /// Lemma 20 there: whether three points lie in a disk of radius R, by sinh²(d/2) of the distances between them and
 /// sinh²R.
-[[nodiscard]] Answer fits_in_disk(const Interval& a, const Interval& b, const Interval& c, const Interval& most);
+template <class Number>
+[[nodiscard]] Answer fits_in_disk(const Number& a, const Number& b, const Number& c, const Number& most);
 /// Lemma 25 there, for a triangulation with one vertex at a point: whether it is Delaunay, all edges certainly locally
 /// so, and has a circumradius R with sinh²R >= `least`. By what is across each dart, and sinh²(d/2) of each.
-[[nodiscard]] Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Interval>& h,
-                                          const Interval& least);
+template <class Number>
+[[nodiscard]] Answer is_delaunay_and_wide(const std::vector<Index>& opposite, const std::vector<Number>& h,
+                                          const Number& least);
 /// Section 17.
 template <class R>
 [[nodiscard]] std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<R>& net,

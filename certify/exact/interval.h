@@ -59,7 +59,7 @@ template <class R>
 
 class Interval {
  public:
-  static constexpr mpfr_prec_t kBits = 256;
+  static constexpr mpfr_prec_t kBits = 512;
 
   Interval() { begin(); }
   Interval(long n) {  // NOLINT(google-explicit-constructor): numbers in formulas.
@@ -153,18 +153,6 @@ class Interval {
   friend Interval sinh(const Interval& x) { return increasing(mpfr_sinh, x); }
   friend Interval arsinh(const Interval& x) { return increasing(mpfr_asinh, x); }
   friend Interval arctan(const Interval& x) { return increasing(mpfr_atan, x); }
-  /// The same to a few digits, which takes a tenth of the time.
-  friend Interval rough_arctan(const Interval& x) {
-    const auto rough = [](mpfr_ptr result, mpfr_srcptr end, mpfr_rnd_t rounding) {
-      mp_limb_t limb = 0;
-      mpfr_t part;
-      mpfr_custom_init_set(part, MPFR_ZERO_KIND, 0, GMP_NUMB_BITS, &limb);
-      mpfr_set(part, end, rounding);
-      mpfr_atan(part, part, rounding);
-      return mpfr_set(result, part, rounding);
-    };
-    return increasing(rough, x);
-  }
   /// Of a number from 0 to π, and of one from 0 to π/2.
   friend Interval cos(const Interval& x) { return decreasing(mpfr_cos, x); }
   friend Interval sin(const Interval& x) { return increasing(mpfr_sin, x); }

@@ -23,11 +23,7 @@ class RoughInterval {
     RoughInterval result;
     result.lower_ = lower - margin(lower);
     result.upper_ = upper + margin(upper);
-    if (!(std::isfinite(result.lower_) && std::isfinite(result.upper_))) {
-      result.lower_ = -std::numeric_limits<double>::infinity();
-      result.upper_ = std::numeric_limits<double>::infinity();
-    }
-    return result;
+    return std::isfinite(result.lower_) && std::isfinite(result.upper_) ? result : everything();
   }
   explicit RoughInterval(const Interval& x) : RoughInterval(around(x.lower(), x.upper())) {}
   explicit RoughInterval(const mpq_class& x) : RoughInterval(Interval(x)) {}
@@ -56,10 +52,30 @@ class RoughInterval {
                   std::max({products[0], products[1], products[2], products[3]}));
   }
 
+  friend RoughInterval operator/(const RoughInterval& x, const RoughInterval& y) {
+    if (certain_sign(y) == 0) return everything();
+    return x * around(1 / y.upper_, 1 / y.lower_);
+  }
+  friend RoughInterval square(const RoughInterval& x) {
+    RoughInterval result = x * x;
+    result.lower_ = std::max(result.lower_, 0.0);
+    return result;
+  }
+  /// Of a number that is known not to be negative.
+  friend RoughInterval sqrt(const RoughInterval& x) {
+    return around(std::sqrt(std::max(x.lower_, 0.0)), std::sqrt(x.upper_));
+  }
+
   /// 1 or −1 if all numbers of the interval have this sign, else 0.
   friend int certain_sign(const RoughInterval& x) { return (x.lower_ > 0 ? 1 : 0) - (x.upper_ < 0 ? 1 : 0); }
 
  private:
+  static RoughInterval everything() {
+    RoughInterval result;
+    result.lower_ = -std::numeric_limits<double>::infinity();
+    result.upper_ = std::numeric_limits<double>::infinity();
+    return result;
+  }
   /// An operation in binary64 errs by at most 2⁻⁵² times its result, or by 2⁻¹⁰²² if numbers below that become 0; so
   /// does the sum of the result and the margin.
   static double margin(double end) { return std::abs(end) * 0x1p-50 + 0x1p-1000; }

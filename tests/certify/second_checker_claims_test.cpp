@@ -21,6 +21,7 @@
 #include "certify/claims/isometries/conjugation.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/claim_rules.h"
+#include "certify/exact/rough_interval.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/numbering.h"
@@ -542,7 +543,9 @@ TEST(SlowSecondCheckerOfBounds, ABaseIsWhatItsStepsMakeOfTheNet) {
 /// Both checkers have the triangles of a base at the same places: the least distance from the value to its bound with
 /// which the worst cell is bounded is the same.
 TEST(SlowSecondCheckerOfBounds, ABasesTrianglesAreWhereTheFirstCheckerHasThem) {
-  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base"}) {
+  // The last two also of elements that are products of many, on tiles {7, 3} and with a cuff of 10⁻³.
+  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base",
+                                 "klein-diameter", "thin-embedded-disk"}) {
     const BoundDocument good = bound(name);
     const auto with = [&](double distance) {
       BoundDocument document = good;
@@ -826,9 +829,11 @@ TEST(TriangulationsWithOneVertex, AreDelaunayAndWideForBothCheckersIfTheirAngles
     }
     std::vector<certify::Ball> balls;
     std::vector<Interval> intervals;
+    std::vector<RoughInterval> rough;
     for (const double x : triangulation.h) {
       balls.push_back(certify::Ball::exactly(x));
       intervals.emplace_back(mpq_class(x));
+      rough.emplace_back(intervals.back());
     }
     const bool delaunay = triangulation.is_delaunay();
     const double radius = delaunay ? triangulation.greatest_squared_radius() : 1e-3;
@@ -836,6 +841,9 @@ TEST(TriangulationsWithOneVertex, AreDelaunayAndWideForBothCheckersIfTheirAngles
       const bool expected = delaunay && least < radius;
       ++met.at(expected ? 1 : 0);
       EXPECT_EQ(is_delaunay_and_wide(triangulation.opposite, intervals, Interval(mpq_class(least))),
+                expected ? Answer::yes : Answer::no)
+          << run;
+      EXPECT_EQ(is_delaunay_and_wide(triangulation.opposite, rough, RoughInterval(mpq_class(least))),
                 expected ? Answer::yes : Answer::no)
           << run;
       EXPECT_EQ(certify::is_delaunay_and_wide(triangulation.opposite, balls, certify::Ball::exactly(least)),
@@ -875,10 +883,14 @@ TEST(SecondCheckerOfBounds, ThreePointsFitInNoSmallerDiskThanTheLeastOne) {
     if (std::abs(median * median / (1 + half) - 1) < 1e-6 * half) continue;
     ++met.at(in_it ? 1 : 0);
     const auto exactly = [](double value) { return Interval(mpq_class(value)); };
-    EXPECT_EQ(fits_in_disk(exactly(h[0]), exactly(h[1]), exactly(h[2]), exactly(least * (1 + 1e-9))), Answer::yes)
-        << run;
-    EXPECT_EQ(fits_in_disk(exactly(h[0]), exactly(h[1]), exactly(h[2]), exactly(least * (1 - 1e-9))), Answer::no)
-        << run;
+    const auto fits = [&]<class Number>(Number, double most) {
+      const auto number = [&](double value) { return Number(exactly(value)); };
+      return fits_in_disk(number(h[0]), number(h[1]), number(h[2]), number(most));
+    };
+    EXPECT_EQ(fits(Interval(), least * (1 + 1e-9)), Answer::yes) << run;
+    EXPECT_EQ(fits(Interval(), least * (1 - 1e-9)), Answer::no) << run;
+    EXPECT_EQ(fits(RoughInterval(), least * (1 + 1e-9)), Answer::yes) << run;
+    EXPECT_EQ(fits(RoughInterval(), least * (1 - 1e-9)), Answer::no) << run;
   }
   EXPECT_GT(met[0], 300);
   EXPECT_GT(met[1], 300);

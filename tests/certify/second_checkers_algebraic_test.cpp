@@ -30,16 +30,6 @@ struct Tiles {
 constexpr std::array<Tiles, 10> kTiles{
     {{8, 8}, {12, 12}, {7, 3}, {3, 7}, {5, 4}, {4, 6}, {6, 10}, {9, 5}, {3, 100}, {84, 84}}};
 
-TEST(SecondCheckersIntervals, ARoughArctanContainsTheArctan) {
-  for (int i = -1000; i <= 1000; ++i) {
-    const Interval x(mpq_class(i, 337));
-    const Interval off = rough_arctan(x) - arctan(x);
-    EXPECT_LE(off.lower(), 0) << i;
-    EXPECT_GE(off.upper(), 0) << i;
-    EXPECT_LT(off.upper() - off.lower(), 1e-18) << i;
-  }
-}
-
 TEST(SecondCheckersAlgebraic, ProductsAreThoseOfCosines) {
   for (const auto& [p, q] : kTiles) {
     for (const bool half_turns : {false, true}) {

@@ -73,6 +73,21 @@ TEST_P(RoughIntervals, ContainWhatTheyStandFor) {
       const int sign = certain_sign(result.rough);
       ASSERT_TRUE(sign == 0 || sign == sgn(result.exact)) << x;
     }
+    const RoughInterval square_of_a = square(a.rough);
+    ASSERT_TRUE(contains(square_of_a, a.exact * a.exact) && square_of_a.lower() >= 0) << x;
+    if (b.exact != 0) {
+      ASSERT_TRUE(contains(a.rough / b.rough, a.exact / b.exact)) << x;
+    }
+    const RoughInterval root = sqrt(RoughInterval::around(std::abs(x), std::abs(x)));
+    ASSERT_TRUE(root.lower() <= 0 || mpq_class(root.lower()) * root.lower() <= abs(a.exact)) << x;
+    ASSERT_TRUE(mpq_class(root.upper()) * root.upper() >= abs(a.exact)) << x;
+  }
+}
+
+TEST(RoughQuotients, ByWhatMayBeZeroAreUnknown) {
+  for (const RoughInterval& divisor : {RoughInterval::around(-1, 1), RoughInterval::around(0, 1), RoughInterval(0)}) {
+    EXPECT_EQ(certain_sign(RoughInterval(1) / divisor), 0);
+    EXPECT_TRUE(std::isinf((RoughInterval(1) / divisor).lower()));
   }
 }
 
