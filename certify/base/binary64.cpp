@@ -6,11 +6,11 @@ namespace epsnet::certify {
 
 bool rounds_to_nearest() {
   // Nothing of this is computed by the compiler.
-  volatile double one = 1, more = 0x1.8p-53, half = 0x1p-53, least = 0x1p-1022;
-  const bool up = one + more > 1 && -one - more < -1;
-  const bool even = one + half == 1 && -one - half == -1 && (one + 2 * half) + half == 1 + 0x1p-51;
-  const bool gradual = least / 2 != 0 && (least / 2) * 2 == least;
-  return up && even && gradual;
+  volatile double one = 1, half = 0x1p-53, least = 0x1p-1022;
+  // Of two ties the first is rounded down and the second up only by ties to even, of all directions of IEEE 754.
+  const bool even = one + half == 1 && (one + 2 * half) + half == 1 + 0x1p-51;
+  const bool gradual = (least / 2) * 2 == least;
+  return even && gradual;
 }
 
 RoundingToNearest::RoundingToNearest() {

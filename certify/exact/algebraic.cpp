@@ -161,8 +161,8 @@ Algebraic::Algebraic(const RealField& field, Cosines u, Cosines v)
 Algebraic operator+(const Algebraic& x, const Algebraic& y) {
   Algebraic result = x.field_ == nullptr ? y : x;
   const Algebraic& other = x.field_ == nullptr ? x : y;
-  result.u_ = sum(std::move(result.u_), 1, other.u_);
-  result.v_ = sum(std::move(result.v_), 1, other.v_);
+  result.u_ = sum(std::move(result.u_), other.u_);
+  result.v_ = sum(std::move(result.v_), other.v_);
   return result;
 }
 
@@ -180,8 +180,8 @@ Algebraic operator*(const Algebraic& x, const Algebraic& y) {
   const RealField* field = x.field_ == nullptr ? y.field_ : x.field_;
   if (field == nullptr) return x.u_.empty() || y.u_.empty() ? 0 : Algebraic(mpz_class(x.u_[0] * y.u_[0]));
   const auto times = [&](const Cosines& a, const Cosines& b) { return field->product(a, b); };
-  return {*field, sum(times(x.u_, y.u_), 1, times(times(x.v_, y.v_), field->square_of_s())),
-          sum(times(x.u_, y.v_), 1, times(x.v_, y.u_))};
+  return {*field, sum(times(x.u_, y.u_), times(times(x.v_, y.v_), field->square_of_s())),
+          sum(times(x.u_, y.v_), times(x.v_, y.u_))};
 }
 
 Approximation Algebraic::approximation(mp_bitcnt_t bits) const {

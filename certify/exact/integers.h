@@ -16,10 +16,10 @@ inline void trim(Integers& x) {
   while (!x.empty() && x.back() == 0) x.pop_back();
 }
 
-/// x + factor · y.
-inline Integers sum(Integers x, int factor, const Integers& y) {
+/// x + y.
+inline Integers sum(Integers x, const Integers& y) {
   x.resize(std::max(x.size(), y.size()));
-  for (std::size_t i = 0; i < y.size(); ++i) x[i] += factor * y[i];
+  for (std::size_t i = 0; i < y.size(); ++i) x[i] += y[i];
   trim(x);
   return x;
 }

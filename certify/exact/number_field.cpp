@@ -64,9 +64,8 @@ Polynomial divide_by_monic(Polynomial& x, const Polynomial& divisor) {
   return quotient;
 }
 
-/// The primitive one of positive leading coefficient; x and y are not both 0.
+/// The primitive one of positive leading coefficient; y is not 0.
 Polynomial greatest_common_divisor(Polynomial x, Polynomial y) {
-  make_primitive(x);
   make_primitive(y);
   while (!y.empty()) {
     while (x.size() >= y.size()) {
@@ -89,7 +88,7 @@ Polynomial moved_to_positive(const Polynomial& f, const mpz_class& lower, const 
   Polynomial result;
   Polynomial power{1};
   for (std::size_t k = f.size(); k-- > 0;) {
-    result = sum(plain_product(result, {lower, upper}), 1, plain_product({f[k]}, power));
+    result = sum(plain_product(result, {lower, upper}), plain_product({f[k]}, power));
     power = plain_product(power, {denominator, denominator});
   }
   return result;
@@ -261,7 +260,7 @@ FieldNumber::FieldNumber(const NumberField& field, const Polynomial& x) : field_
 FieldNumber operator+(const FieldNumber& x, const FieldNumber& y) {
   FieldNumber result = x.field_ == nullptr ? y : x;
   const FieldNumber& other = x.field_ == nullptr ? x : y;
-  result.x_ = sum(std::move(result.x_), 1, other.x_);
+  result.x_ = sum(std::move(result.x_), other.x_);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <rapidcheck/gtest.h>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "certify/numbers/isometry.h"
@@ -59,6 +60,16 @@ TEST(Ball, CopiesAreWhatIsCopied) {
     other = complex;
     EXPECT_NE(acb_equal(other.get(), complex.get()), 0);
     EXPECT_NE(acb_equal(ComplexBall(complex).get(), complex.get()), 0);
+  }
+  // More than a machine word, which is kept elsewhere.
+  for (const mpz_class& value : {mpz_class(-7), mpz_class(mpz_class(3) << 200)}) {
+    const Integer original(value);
+    Integer assigned, moved_to;
+    assigned = original;
+    const Integer copied = original;
+    moved_to = Integer(original);
+    for (const Integer& other : {assigned, copied, moved_to}) EXPECT_EQ(other.value(), value);
+    EXPECT_EQ(original.value(), value);
   }
 }
 
@@ -451,6 +462,11 @@ TEST(Parallel, BlocksHaveEveryNumberOnceAndInOrder) {
       EXPECT_EQ(next, count);
     }
   }
+}
+
+TEST(Parallel, NoNumberOfThreadsIsAsManyAsThereAreCores) {
+  for (const unsigned threads : {1U, 2U, 77U}) EXPECT_EQ(thread_count(threads), threads);
+  EXPECT_EQ(thread_count(0), std::max(std::thread::hardware_concurrency(), 1U));
 }
 
 TEST(Parallel, EveryIndexOnceByAnyNumberOfThreads) {

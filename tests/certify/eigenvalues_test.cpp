@@ -1110,6 +1110,147 @@ TEST(SparseMatrices, ErrorsMoveEigenvaluesOutward) {
   EXPECT_EQ(of_two(0.51, Bound::lower), 0U);
 }
 
+/// The error of the diagonal is the sum of all errors of a row, wherever the row is and whichever of them are of its
+/// column.
+TEST(SparseMatrices, ErrorsOfARowAddUp) {
+  for (std::uint32_t centre = 0; centre < 4; ++centre) {
+    for (const auto& [value, negative] : {std::pair{0.89, 1U}, std::pair{0.91, 0U}}) {
+      Entries upper{{centre, centre, value, 0}};
+      Entries lower{{centre, centre, -value, 0}};
+      for (std::uint32_t leaf = 0; leaf < 4; ++leaf) {
+        if (leaf == centre) continue;
+        for (Entries* entries : {&upper, &lower})
+          entries->push_back({std::max(leaf, centre), std::min(leaf, centre), 0, 0.3});
+        upper.push_back({leaf, leaf, 10, 0});
+        lower.push_back({leaf, leaf, -10, 0});
+      }
+      EXPECT_EQ(SparseMatrix(4, upper).negative_eigenvalues(Bound::upper, {}, 1).negative, negative) << centre;
+      EXPECT_EQ(SparseMatrix(4, lower).negative_eigenvalues(Bound::lower, {}, 1).negative, 4 - negative) << centre;
+    }
+  }
+}
+
+/// (−1, 0, p; 0, 1, q; p, q, 0) has two negative eigenvalues for p = 0.79 and q = 0.81.
+TEST(SparseMatrices, APlaceOfTheDiagonalWithoutEntriesIsZero) {
+  const Entries entries{{0, 0, -1, 0}, {1, 1, 1, 0}, {2, 0, 1, 0.21}, {2, 1, 0.6, 0.21}};
+  const Inertia found = SparseMatrix(3, entries).negative_eigenvalues(Bound::upper, {}, 1);
+  EXPECT_TRUE(found.proved);
+  EXPECT_EQ(found.negative, 2U);
+}
+
+/// By how much more than what is set aside in some row, 2⁻²⁶ of the sum of its absolute values, Lemma 36.1 lets entries
+/// of LDLᵀ be wrong: the lemma itself, column by column. Each entry stands once, and none has an error.
+double rounding_of_lemma(std::uint32_t size, const Entries& entries, double additions) {
+  std::vector<std::vector<std::pair<std::uint32_t, double>>> columns(size);
+  std::vector<double> pivots(size), aside(size), errors(size);
+  for (const auto& [row, column, value, error] : entries) {
+    aside[row] += std::abs(value) * 0x1p-26;
+    if (row == column) {
+      pivots[row] = value;
+    } else {
+      aside[column] += std::abs(value) * 0x1p-26;
+      columns[column].emplace_back(row, value);
+    }
+  }
+  for (std::uint32_t k = 0; k < size; ++k) {
+    pivots[k] -= aside[k];
+    std::sort(columns[k].begin(), columns[k].end());
+  }
+  for (std::uint32_t k = 0; k < size; ++k) {
+    const double d = pivots[k];
+    double sum = 1;
+    for (const auto& [i, value] : columns[k]) sum += std::abs(value / d);
+    errors[k] += std::abs(d) * sum;
+    for (auto entry = columns[k].begin(); entry != columns[k].end(); ++entry) {
+      const auto& [j, value] = *entry;
+      errors[j] += std::abs(value) * sum;
+      pivots[j] -= value / d * value;
+      auto to = columns[j].begin();
+      for (auto other = entry + 1; other != columns[k].end(); ++other, ++to) {
+        while (to != columns[j].end() && to->first < other->first) ++to;
+        if (to == columns[j].end() || to->first != other->first) to = columns[j].insert(to, {other->first, 0});
+        to->second -= value / d * other->second;
+      }
+    }
+  }
+  double most = 0;
+  for (std::uint32_t i = 0; i < size; ++i)
+    most = std::max(most, (additions + 3) * 1.01 * 0x1p-53 * errors[i] / aside[i]);
+  return most;
+}
+
+/// What the lemma does not prove is not proved, and what it proves with a little to spare is.
+class RoundingOfMatrices : public testing::Test {
+ protected:
+  void compare(std::uint32_t size, const Entries& entries, double additions) {
+    const double rounding = rounding_of_lemma(size, entries, additions);
+    const bool proved = SparseMatrix(size, entries).negative_eigenvalues(Bound::upper, {}, 1).proved;
+    if (rounding >= 1) {
+      EXPECT_FALSE(proved) << rounding;
+    } else if (rounding < 0.92) {
+      EXPECT_TRUE(proved) << rounding;
+    }
+    ++(rounding >= 1 ? not_proved_ : proved_);
+  }
+  void TearDown() override {
+    EXPECT_GT(proved_, 4);
+    EXPECT_GT(not_proved_, 4);
+  }
+  int proved_ = 0;
+  int not_proved_ = 0;
+};
+
+/// (x, 1; 1, 1): 2·48 additions in a block, and one more for it.
+TEST_F(RoundingOfMatrices, OfOnePanel) {
+  for (double x = 0x1.8p-21; x < 0x1.1p-20; x *= 1.005) compare(2, {{0, 0, x, 0}, {1, 0, 1, 0}, {1, 1, 1, 0}}, 97);
+}
+
+/// Columns of a path, of which each leaves something in the last row and is a panel of its own. A term of the last
+/// entry passes through two additions in each.
+TEST_F(RoundingOfMatrices, OfAChainOfPanels) {
+  for (std::uint32_t size = 3700; size < 4300; size += 25) {
+    const std::uint32_t last = size - 1;
+    Entries entries{{last, 0, 0.5, 0}};
+    for (std::uint32_t k = 0; k < last; ++k) {
+      entries.push_back({k, k, k == 0 ? 1.0 : 2.0, 0});
+      if (k + 1 < last) entries.push_back({k + 1, k, -1, 0});
+    }
+    compare(size, entries, 96 + 2.0 * (size - 2));
+  }
+}
+
+/// Groups of 49 columns, which are two blocks, with all rows of the group, the first of the next one, and the last.
+TEST_F(RoundingOfMatrices, OfPanelsOfTwoBlocks) {
+  constexpr std::uint32_t kWidth = 49;
+  constexpr std::uint32_t kGroups = 12;
+  constexpr std::uint32_t kLast = kWidth * kGroups;
+  for (double x = 0x1p-20; x < 0x1.4p-20; x *= 1.015) {
+    Entries entries{{kLast, 0, 1, 0}, {kLast, kLast, 1, 0}};
+    for (std::uint32_t k = 0; k < kLast; ++k) {
+      entries.push_back({k, k, k == 0 ? x : 1, 0});
+      if (k > 0) entries.push_back({kLast, k, 0, 0});
+      const std::uint32_t next = (k / kWidth + 1) * kWidth;
+      for (std::uint32_t row = k + 1; row <= next && row < kLast; ++row) entries.push_back({row, k, 0x1p-16, 0});
+    }
+    compare(kLast + 1, entries, 96 + 3 * kGroups);
+  }
+}
+
+/// In a row of n entries, 2⁻⁴⁹⁹n(n + 3) is set aside for what underflows.
+TEST(SparseMatrices, NumbersThatMayUnderflowAreNotProved) {
+  const auto proved = [](std::uint32_t size, double x) {
+    Entries entries;
+    for (std::uint32_t i = 0; i < size; ++i) entries.push_back({i, i, x, 0});
+    return SparseMatrix(size, entries).negative_eigenvalues(Bound::upper, {}, 1).proved;
+  };
+  for (const std::uint32_t size : {1U, 10U, 1000U}) {
+    const double underflow = 0x1p-499 * size * (size + 3);
+    EXPECT_TRUE(proved(size, 0x1.01p26 * underflow)) << size;
+    EXPECT_FALSE(proved(size, 0x1.ffp25 * underflow)) << size;
+    EXPECT_FALSE(proved(size, 0x1p-1000)) << size;
+  }
+}
+
 TEST(SparseMatrices, SingularOnesAreNotProvedBetter) {
   // 0, and (1, 1; 1, 1): the eigenvalue 0 may be negative for an upper bound, and is not for a lower one.
   for (const Entries& entries : {Entries{}, Entries{{0, 0, 1, 0}, {1, 0, 1, 0}, {1, 1, 1, 0}}}) {

@@ -1,11 +1,13 @@
 #include "certify/numbers/field_number.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The numbers of surfaces over a number field.
@@ -65,6 +67,35 @@ TEST(NumberFields, KnowALargeRootOfLargeCoefficients) {
   }
 }
 
+/// A root that is an integer of more bits than the first enclosure has: bisection meets it at once.
+TEST(NumberFields, KnowAnIntegerThatIsARoot) {
+  const mpz_class near = mpz_class(1) << 300;
+  for (const mpz_class& root : {mpz_class(near + 1), mpz_class(-near - 1)}) {
+    const NumberField field({-root, 1}, {mpq_class(root - 1), mpq_class(root + 1)});
+    const Precision scope(53);
+    EXPECT_EQ(sign(field_number(field, Coefficients{mpz_class(-sgn(root) * near), 1})), sgn(root));
+  }
+}
+
+/// x²⁰ = 2(10⁶x − 1)² at 10⁻⁶ ± 10⁻⁶⁶/√2, nearly: the derivative is 0 between the two.
+TEST(NumberFields, KnowARootNextToAnother) {
+  Coefficients f(21);
+  f[0] = -2;
+  f[1] = 4'000'000;
+  f[2] = mpz_class("-2000000000000");
+  f[20] = 1;
+  const mpz_class scale("1" + std::string(66, '0'));
+  const mpq_class middle(1, 1'000'000);
+  for (const int side : {1, -1}) {
+    const mpq_class end = middle + mpq_class(side, scale);
+    const NumberField field(f, {std::min(middle, end), std::max(middle, end)}, Budget(1'000'000'000));
+    const Precision scope(64);
+    const FieldNumber distance = field_number(field, Coefficients{mpz_class(-scale / 1'000'000), scale});
+    EXPECT_NEAR(lower_end(real_ball(distance)), side * std::sqrt(0.5), 1e-12);
+    EXPECT_EQ(sign(distance), side);
+  }
+}
+
 RC_GTEST_PROP(NumberFields, HaveSumsProductsAndSigns, ()) {
   const Root& root = kRoots[*rc::gen::inRange<std::size_t>(0, kRoots.size())];
   const NumberField field(root.f, {root.lower, root.upper});
@@ -87,6 +118,14 @@ RC_GTEST_PROP(NumberFields, HaveSumsProductsAndSigns, ()) {
   near(twice_imaginary(z * z), 4 * x * y);
   near(twice_imaginary(conjugate(z)), -2 * y);
   RC_ASSERT(sign(norm(z) - norm(conjugate(z))) == 0);
+  // By a Gaussian integer, which is a number of the field.
+  const Gaussian factor{*rc::gen::inRange(-9, 10), *rc::gen::inRange(-9, 10)};
+  const FieldNumber zero = factor * z - field_number(field, factor) * z;
+  RC_ASSERT(sign(zero) == 0 && sign(twice_imaginary(zero)) == 0);
+  // Degrees are less than that of the field.
+  const FieldNumber power = z * z * z;
+  for (const Polynomial* part : {&power.re, &power.im})
+    RC_ASSERT(fmpz_poly_length(part->get()) <= static_cast<slong>(field.degree()));
   if (std::abs(x) > 1e-9) RC_ASSERT(sign(field_number(field, a)) == (x > 0 ? 1 : -1));
 }
 
@@ -106,6 +145,64 @@ TEST(NumberFields, TellZeroFromWhatIsNear) {
     p = next;
     EXPECT_EQ(sign(field_number(two, Coefficients{p, -q})), i % 2 == 0 ? 1 : -1);
   }
+}
+
+/// Powers of 1/α, α³ = α + 1, as polynomials in α: their other conjugates are large, so nothing else that is not 0 is
+/// as small, and more bits are needed than at first.
+TEST(NumberFields, TellNumbersThatAreAsSmallAsCanBeFromZero) {
+  const NumberField field({-1, -1, 0, 1}, {1, 2});
+  const FieldNumber alpha = field_number(field, Coefficients{0, 1});
+  const FieldNumber one = field_number(field, Coefficients{1});
+  FieldNumber small = alpha * alpha - one;
+  FieldNumber large = alpha;
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(sign(small), 1) << i;
+    EXPECT_EQ(sign(mpz_class(-1) * small), -1) << i;
+    EXPECT_EQ(sign(small * large - one), 0) << i;
+    small = small * small;
+    large = large * large;
+  }
+}
+
+/// The coefficients of (1 + x)^d f((L + Ux)/(1 + x)) = Σ f_i (L + Ux)^i (1 + x)^(d − i), as rational numbers.
+std::vector<mpq_class> moved(const Coefficients& f, const mpq_class& lower, const mpq_class& upper) {
+  std::vector<mpq_class> result(f.size());
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    std::vector<mpq_class> term{mpq_class(f[i])};
+    for (std::size_t k = 1; k < f.size(); ++k) {
+      const auto& [constant, linear] = k <= i ? std::pair(lower, upper) : std::pair(mpq_class(1), mpq_class(1));
+      std::vector<mpq_class> product(term.size() + 1);
+      for (std::size_t j = 0; j < term.size(); ++j) {
+        product[j] += constant * term[j];
+        product[j + 1] += linear * term[j];
+      }
+      term = std::move(product);
+    }
+    for (std::size_t j = 0; j < f.size(); ++j) result[j] += term[j];
+  }
+  return result;
+}
+
+RC_GTEST_PROP(NumberFields, CountChangesOfSign, ()) {
+  const auto size = *rc::gen::inRange<std::size_t>(1, 8);
+  const Coefficients f = coefficients(*rc::gen::container<std::vector<int>>(size, rc::gen::inRange(-20, 21)));
+  const auto some = [] { return mpq_class(*rc::gen::inRange(-30, 31), *rc::gen::inRange(1, 10)); };
+  mpq_class lower = some();
+  mpq_class upper = some();
+  lower.canonicalize();
+  upper.canonicalize();
+  unsigned changes = 0;
+  int first = 0;
+  int last = 0;
+  for (const mpq_class& c : moved(f, lower, upper)) {
+    if (sgn(c) == 0) continue;
+    if (first == 0) first = sgn(c);
+    if (last == -sgn(c)) ++changes;
+    last = sgn(c);
+  }
+  const RootCount count = count_roots(f, lower, upper);
+  RC_ASSERT(count.changes == changes);
+  RC_ASSERT(count.first_sign == first);
 }
 
 TEST(NumberFields, CountRootsByDescartesRule) {
@@ -146,6 +243,30 @@ TEST(NumberFields, MakeIsometriesOfDeterminant1) {
   EXPECT_FALSE(is_identity(f));
 }
 
+/// Of the eight integers of an isometry over ℚ(√2) the greatest common divisor is taken out, whichever of them it
+/// depends on, and nothing else.
+TEST(NumberFields, ReduceIsometriesByTheCommonDivisor) {
+  const NumberField field({-2, 0, 1}, {1, 2});
+  for (std::size_t odd = 0; odd < 8; ++odd) {
+    std::array<mpz_class, 8> n;
+    for (std::size_t k = 0; k < 8; ++k) n[k] = k == odd ? 9 : 12;
+    const auto number = [&](std::size_t k) {
+      return field_number(field, Coefficients{n[k], n[k + 1]}) +
+             Gaussian{0, 1} * field_number(field, Coefficients{n[k + 2], n[k + 3]});
+    };
+    Isometry<FieldNumber> f{number(0), number(4)};
+    const auto is_third = [](const FieldNumber& x, const FieldNumber& third) {
+      const FieldNumber rest = x - mpz_class(3) * third;
+      return is_zero(rest.re) && is_zero(rest.im);
+    };
+    const Isometry<FieldNumber> before = f;
+    for (int again = 0; again < 2; ++again) {
+      reduce(f);
+      EXPECT_TRUE(is_third(before.a, f.a) && is_third(before.b, f.b)) << odd;
+    }
+  }
+}
+
 // f/f₀ for f = f₀, and with one of the other three real coefficients not 0; reducible polynomials as well, where 0 is
 // not only the polynomial 0.
 TEST(NumberFields, TellTheIdentityFromIsometriesThatAreNear) {
@@ -157,9 +278,11 @@ TEST(NumberFields, TellTheIdentityFromIsometriesThatAreNear) {
     EXPECT_TRUE(is_identity(Isometry<FieldNumber>{scale + Gaussian{0, 1} * zero, zero + Gaussian{0, 1} * zero}));
     const FieldNumber one = field_number(field, Gaussian{1, 0});
     const FieldNumber i = field_number(field, Gaussian{0, 1});
-    EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale + i, zero}));
-    EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale, one}));
-    EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale, i}));
+    for (const mpz_class& step : {mpz_class(1), mpz_class(-1)}) {
+      EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale + step * i, zero}));
+      EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale, step * one}));
+      EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale, step * i}));
+    }
   }
 }
 

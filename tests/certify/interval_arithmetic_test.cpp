@@ -99,6 +99,28 @@ TEST(IntervalArithmetic, ComparisonsAreCertain) {
   EXPECT_EQ(certainly_positive(Interval{-1, 1}), Tri::unknown);
 }
 
+/// An end that is infinite or not a number says nothing: whatever is computed with it is everything, or has such an
+/// end.
+TEST(IntervalArithmetic, OfAnEndThatIsNotFiniteNothingFollows) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto is_everything = [&](Interval x) { return x.lower == -infinity && x.upper == infinity; };
+  for (const Interval x : {Interval{-infinity, 1}, Interval{1, infinity}, Interval{-infinity, infinity},
+                           Interval{nan, 1}, Interval{1, nan}, Interval{nan, nan}}) {
+    EXPECT_FALSE(is_finite(x));
+    for (const Interval y : intervals()) {
+      EXPECT_TRUE(is_everything(x * y) && is_everything(y * x));
+      EXPECT_TRUE(is_everything(x / y) && is_everything(y / x));
+      EXPECT_FALSE(is_finite(x + y) || is_finite(y - x));
+    }
+    EXPECT_TRUE(is_everything(sqr(x)) && is_everything(sqrt(x)) && is_everything(atan(x)));
+  }
+  // A quotient and a root that may not be there.
+  EXPECT_TRUE(is_everything(Interval{1, 2} / Interval{0, 1}));
+  EXPECT_TRUE(is_everything(Interval{0, 0} / Interval{-1, 1}));
+  EXPECT_TRUE(is_everything(sqrt(Interval{-1e-300, 1})));
+}
+
 /// Neither an overflow nor what is not a number says anything.
 TEST(IntervalArithmetic, WhatIsNotFiniteSaysNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -137,6 +137,22 @@ TEST(Json, SmallIntegersAreTakenAsAWhole) {
   }
   // Near the end of what is in memory nothing is taken.
   for (const char* text : {"1", "1,", "12345678,", "123456789"}) EXPECT_EQ(small_integer(text), std::nullopt) << text;
+  // Any byte behind a digit, or in its place.
+  for (int byte = 0; byte < 256; ++byte) {
+    const char c = static_cast<char>(byte);
+    const bool is_digit = c >= '0' && c <= '9';
+    const bool is_mark = c == ',' || c == ']';
+    const bool is_space = std::string_view(" \t\n\r").find(c) != std::string_view::npos;
+    for (const std::string before : {"1", ""}) {
+      if (before.empty() && is_space) continue;
+      const std::string text = before + c + ",            ";
+      ByteStream bytes(text);
+      Json json(bytes);
+      std::uint32_t value = 0;
+      EXPECT_EQ(json.take_small_integer(value), is_digit || (is_mark && !before.empty())) << text;
+      EXPECT_EQ(value, is_digit ? std::stoul(before + c) : is_mark && !before.empty() ? 1U : 0U) << text;
+    }
+  }
 }
 
 TEST(Json, WhatIsFoundIsSaid) {

@@ -64,6 +64,14 @@ TEST(Lookup, OfWhatIsNotThereIsAFault) {
   expect_fault([] { (void)decimal("one"); });
 }
 
+TEST(Lookup, IncreasingNumbersAreEachThereOnce) {
+  const std::vector<std::vector<std::uint32_t>> some{{9, 2}, {}, {2, 5, 5}, {9}};
+  const auto all = [](const std::vector<std::uint32_t>& numbers, std::vector<std::uint32_t>& result) {
+    result.insert(result.end(), numbers.begin(), numbers.end());
+  };
+  EXPECT_THAT(increasing(some, all), testing::ElementsAre(2U, 5U, 9U));
+}
+
 TEST(Lookup, OfADartThatIsNotThereIsAFault) {
   const NetDocument document = load("certify/verified/octagon-9-vertices.json");
   const auto darts = static_cast<std::uint32_t>(3 * document.triangles.size());

@@ -66,14 +66,16 @@ std::string surface_text(const std::string& object) {
   return R"({"format": "epsnet-surface", "version": 1, "surface": )" + object + "}";
 }
 
-std::string surface_complaint(const std::string& object) {
+std::string surface_file_complaint(const std::string& text) {
   try {
-    static_cast<void>(parse_file<SurfaceDocument>(surface_text(object), "test"));
+    static_cast<void>(parse_file<SurfaceDocument>(text, "test"));
   } catch (const MalformedError& error) {
     return error.what();
   }
   return "";
 }
+
+std::string surface_complaint(const std::string& object) { return surface_file_complaint(surface_text(object)); }
 
 std::string to_text(const SurfaceDocument& surface) {
   std::ostringstream out;
@@ -142,6 +144,32 @@ TEST(Reader, RegularSurfacesThatAreNoneAreMalformed) {
             "test: surface: unknown member \"genus\" in a surface of the kind \"tiles\"");
   EXPECT_EQ(surface_complaint(R"({"kind": "round"})"),
             "test: surface: \"kind\" is \"round\", expected \"tiles\", \"regular\", \"map\" or \"field\"");
+}
+
+TEST(Reader, VersionsAreOne) {
+  for (const char* version : {"0", "2", "10", "4294967295"}) {
+    const std::string text = replaced(surface_text(R"({"kind": "regular", "genus": 2})"), R"("version": 1)",
+                                      std::string(R"("version": )") + version);
+    EXPECT_EQ(surface_file_complaint(text), std::string("test: surface file: version ") + version +
+                                                " is not a version this program reads, expected 1");
+  }
+}
+
+TEST(Reader, SurfacesOfEveryKindAreThoseTheySay) {
+  for (const char* p : {"0", "1", "2"}) {
+    const std::string text = std::string(R"({"kind": "map", "p": )") + p + R"(, "q": 7, "gluing": [[0, 0, 0, 1]]})";
+    EXPECT_TRUE(surface_complaint(text).starts_with("test: surface.p: ")) << surface_complaint(text);
+  }
+  const auto field = [](const std::string& polynomial) {
+    return surface_complaint(R"({"kind": "field", "polynomial": )" + polynomial +
+                             R"(, "root": ["1", "2"], "polygons": [], "gluing": [], "crossings": []})");
+  };
+  EXPECT_EQ(field("[]"), "test: surface.polynomial: 0 coefficients, expected 2 to 65");
+  for (const char* integer : {"1/2", "2/1", "4/2", "+1", "1.0", "1e0", "", "-", " 1", "x", "--1"}) {
+    EXPECT_EQ(field(std::string(R"(["-2", "0", ")") + integer + R"("])"),
+              std::string("test: surface.polynomial: \"") + integer +
+                  "\" is not an integer of at most 10^6 digits, such as \"-3\"");
+  }
 }
 
 TEST(Reader, MembersComeInAnyOrderAndRationalsNeedNotBeReduced) {
@@ -537,9 +565,10 @@ TEST(Reader, RowsAreNumbersAndNothingElse) {
                                 "[18446744073709551616,0,0]"}) {
     expect_refused("[[0 ,-0.25e-1,0.5\t]]", "[[0,0,0]," + row + ",[0,0,0]]", row);
   }
-  for (const std::string row : {"[0,0,0,0,1,2,0]", "[0,0,0,0,1,2,0,1,0]", "[0,0,0,0,1,2,0,1.0]", "[0,0,0,0,1,2,0,01]",
-                                "[0,0,0,0,1,2,0 1]", "[0,0,0,0,1 2,0,1]", "[0 0,0,0,1,2,0,1]", "[0,0,0,0,1,-2,0,1]",
-                                "[0,0,0,0,4294967296,2,0,1]", "[0,0,0,0,1,2,0,\"1\"]"}) {
+  for (const std::string row :
+       {"[0,0,0,0,1,2,0]", "[0,0,0,0,1,2,0,1,0]", "[0,0,0,0,1,2,0,1.0]", "[0,0,0,0,1,2,0,01]", "[0,0,0,0,1,2,0 1]",
+        "[0,0,0,0,1 2,0,1]", "[0 0,0,0,1,2,0,1]", "[0,0,0,0,1,-2,0,1]", "[0,0,0,0,4294967296,2,0,1]",
+        "[0,0,0,0,1,2,0,\"1\"]", "[,0,0,0,1,2,0,1]", "[0,0,0,,1,2,0,1]", "[0,0,0,0,1,2,0,]"}) {
     expect_refused("[[0,0,0,0,1,2,0,1]]", "[[0,0,0,0,1,2,0,1]," + row + "]", row);
   }
 }
@@ -835,6 +864,9 @@ TEST(Reader, EveryEscapeIsReadOrRefused) {
                              R"(\ud800\udc0)",
                              R"(\ud800 \udc00)",
                              R"(\udc00\ud800)",
+                             R"(\udc00\udc00)",
+                             R"(\ud800]udc00)",
+                             R"(\ud800\vdc00)",
                              "\\\n",
                              "\\\xcf\x80"}) {
     EXPECT_EQ(string_read(escape), std::nullopt) << escape;

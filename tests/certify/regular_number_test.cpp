@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -132,6 +133,36 @@ TEST(RegularNumber, MultiplesOfManyPrimesAreNotZero) {
       EXPECT_EQ(sign(product * x - product * x), 0);
     }
   }
+}
+
+/// Powers of (√2 − 1)³(√3 − √2)²(2 − √3)², of which the other conjugates are large.
+TEST(RegularNumber, NumbersThatAreAsSmallAsCanBeAreNotZero) {
+  const RegularRing ring(8, std::array{PowerOfZeta{3, 0}});
+  const RegularNumber two = twice_real(power_of_zeta(ring, 1));
+  const RegularNumber three = regular_s(ring);
+  const RegularNumber first = two - integer(ring, 1);
+  const RegularNumber second = three - two;
+  const RegularNumber third = integer(ring, 2) - three;
+  RegularNumber small = first * first * first * second * second * third * third;
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_EQ(sign(small), 1) << i;
+    EXPECT_EQ(sign(mpz_class(-1) * small), -1) << i;
+    EXPECT_EQ(sign(small - small), 0) << i;
+    small = small * small;
+  }
+}
+
+/// (1 + √2)² = 3 + 2√2 has no new root, in whatever order its terms are.
+TEST(RegularNumber, ARootThatIsNotNewIsTheNumber) {
+  const auto by_power = [](const PowerOfZeta& x, const PowerOfZeta& y) { return x.power < y.power; };
+  std::vector<PowerOfZeta> square{{2, -1}, {3, 0}, {2, 1}};
+  do {
+    const RegularRing ring(8, square);
+    EXPECT_FALSE(ring.has_new_root());
+    const RegularNumber known = integer(ring, 1) + twice_real(power_of_zeta(ring, 1));
+    EXPECT_EQ(sign(regular_s(ring) - known), 0);
+    EXPECT_EQ(sign(regular_s(ring) + known), 1);
+  } while (std::next_permutation(square.begin(), square.end(), by_power));
 }
 
 TEST(RegularNumber, TurnsAreProductsOfCrossings) {

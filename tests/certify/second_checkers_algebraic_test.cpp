@@ -3,6 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -98,6 +100,84 @@ TEST(SecondCheckersAlgebraic, SignsOfNumbersNearZero) {
   const Interval found = enclosure(power);
   EXPECT_EQ(is_less(found, Interval(1, 1, 635)), Answer::yes);
   EXPECT_EQ(is_less(Interval(1, 1, 637), found), Answer::yes);
+}
+
+/// That 2^k times the number is as near to its approximation as that says, by one of 500 bits more.
+void expect_approximated(const RealNumber& x, mp_bitcnt_t k) {
+  constexpr mp_bitcnt_t kMore = 500;
+  const Approximation rough = x.approximation(k);
+  const Approximation fine = x.approximation(k + kMore);
+  EXPECT_LE(abs(mpz_class((rough.value << kMore) - fine.value)), (rough.error << kMore) + fine.error) << k;
+}
+
+/// Numbers of which all roundings add up, and those whose large parts cancel.
+TEST(SecondCheckersAlgebraic, ApproximationsAreAsNearAsTheySay) {
+  for (const auto& [p, q] : kTiles) {
+    const RealField field(p, q, false);
+    SCOPED_TRACE(field.n());
+    for (mp_bitcnt_t k = 0; k < 40; ++k) {
+      const auto& rough = field.values(k);
+      const auto& fine = field.values(k + 500);
+      for (const long factor : {1, -1000}) {
+        Cosines x(field.degree());
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = factor * cmp(fine[i], rough[i] << 500);
+        trim(x);
+        Cosines near_zero;
+        if (field.degree() > 1) near_zero = {mpz_class(-(factor * field.values(64)[1]) >> 64), factor};
+        for (const Cosines& u : {Cosines{}, x}) {
+          for (const Cosines& v : {x, near_zero, Cosines{factor}}) {
+            if (u.empty() && v.empty()) continue;
+            expect_approximated(real_number(Algebraic(field, u, v)), k);
+          }
+        }
+      }
+    }
+  }
+}
+
+/// The conjugates of u + vs: 2cos(2πj/n) for 2cos(2π/n), j without a common divisor with n, and both roots for s.
+TEST(SecondCheckersAlgebraic, BoundsHoldForAllConjugates) {
+  for (const auto& [p, q] : kTiles) {
+    const RealField field(p, q, false);
+    SCOPED_TRACE(field.n());
+    const auto n = static_cast<long>(field.n());
+    const auto value = [&](const Cosines& x, long j) {
+      double sum = 0;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        sum += x[i].get_d() * (i == 0 ? 1 : twice_cosine(field, j * static_cast<long>(i) % n));
+      return sum;
+    };
+    const mpz_class large = (mpz_class(1) << 40) - 1;
+    Cosines all(field.degree());
+    for (mpz_class& c : all) c = large;
+    for (const Cosines& u : {Cosines{}, Cosines{3}, Cosines{large}, all}) {
+      for (const Cosines& v : {Cosines{}, Cosines{1}, Cosines{large}, all}) {
+        if (u.empty() && v.empty()) continue;
+        const RealNumber x = real_number(Algebraic(field, u, v));
+        if (u.size() > 1 || !v.empty()) {
+          EXPECT_EQ(x.n, field.n());
+          EXPECT_EQ(x.degree, v.empty() ? 1U : 2U);
+          EXPECT_EQ(x.field, field.name());
+        }
+        for (long j = 1; j < n; ++j) {
+          if (std::gcd(j, n) != 1) continue;
+          // Of a negative square the root is imaginary.
+          const double square = value(field.square_of_s(), j);
+          const double of_v = std::abs(value(v, j)) * std::sqrt(std::abs(square));
+          const double of_u = std::abs(value(u, j));
+          EXPECT_LE(square < 0 ? std::hypot(of_u, of_v) : of_u + of_v, std::ldexp(1, static_cast<int>(x.bits)));
+        }
+      }
+    }
+  }
+}
+
+TEST(SecondCheckersAlgebraic, DegreesOfCosinesAreThoseOfTheirConjugates) {
+  for (unsigned long n = 1; n < 100; ++n) {
+    std::size_t conjugates = 0;
+    for (unsigned long k = 1; k <= std::max(n / 2, 1UL); ++k) conjugates += std::gcd(k, n) == 1 ? 1 : 0;
+    EXPECT_EQ(degree_of_cosines(n), conjugates) << n;
+  }
 }
 
 TEST(SecondCheckersAlgebraic, CommonIntegersAreTakenOut) {
@@ -198,6 +278,68 @@ TEST(SecondCheckersCrossings, MultiplyToTheIdentityAroundEveryCorner) {
       EXPECT_EQ(is_less(Interval(mpq_class(std::sin(angle) + 1e-9)), enclosure(image.im) / length), Answer::no);
     }
   }
+}
+
+/// What is wrong with the surface, or "".
+std::string outcome(Tiles kind, const std::vector<std::array<Index, 2>>& pairs) {
+  const Net net = tiles_of(kind, pairs);
+  NetRules<Algebraic> rules(net);
+  try {
+    rules.rules()[0].ask();
+    return "";
+  } catch (const Refutation& refutation) {
+    return refutation.what;
+  }
+}
+
+/// Calls visit(pairs) for each way of gluing the sides that are left in pairs.
+void each_gluing(const std::vector<Index>& sides, std::vector<std::array<Index, 2>>& pairs, const auto& visit) {
+  if (sides.empty()) return visit();
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    std::vector<Index> left(sides.begin() + 1, sides.end());
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(i - 1));
+    pairs.push_back({sides[0], sides[i]});
+    each_gluing(left, pairs, visit);
+    pairs.pop_back();
+  }
+}
+
+/// All gluings of a decagon's sides. Behind the corner where a side starts comes the one behind the side that it is
+/// glued to.
+TEST(SecondCheckersRegularSurfaces, HaveCornersThatMakeAFullTurn) {
+  constexpr Index kSides = 10;
+  std::vector<std::array<Index, 2>> pairs;
+  std::array<int, kSides + 1> good{};
+  each_gluing({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, pairs, [&] {
+    std::array<Index, kSides> next{};
+    for (const auto& [s, other] : pairs) {
+      next.at(s) = (other + 1) % kSides;
+      next.at(other) = (s + 1) % kSides;
+    }
+    for (Index q = 3; q <= kSides; ++q) {
+      bool is_full = true;
+      for (Index first = 0; first < kSides; ++first) {
+        Index corners = 1;
+        for (Index s = next.at(first); s != first; s = next.at(s)) ++corners;
+        is_full = is_full && corners == q;
+      }
+      ASSERT_EQ(outcome({kSides, q}, pairs).empty(), is_full) << q << ": " << outcome({kSides, q}, pairs);
+      good.at(q) += is_full ? 1 : 0;
+    }
+  });
+  // V − 5 + 1 = 2 − 2g for two vertices or for four.
+  EXPECT_GT(good[5], 0);
+}
+
+/// A tetrahedron, and tori of one square, one hexagon and two triangles.
+TEST(SecondCheckersRegularSurfaces, AreHyperbolic) {
+  constexpr const char* kNone = "there are no such tiles in the hyperbolic plane";
+  EXPECT_EQ(outcome({3, 3}, {{0, 5}, {1, 8}, {2, 11}, {3, 10}, {4, 6}, {7, 9}}), kNone);
+  EXPECT_EQ(outcome({4, 4}, opposite_sides(4)), kNone);
+  EXPECT_EQ(outcome({6, 3}, opposite_sides(6)), kNone);
+  EXPECT_EQ(outcome({3, 6}, {{0, 3}, {1, 4}, {2, 5}}), kNone);
+  EXPECT_EQ(outcome({8, 8}, opposite_sides(8)), "");
+  EXPECT_EQ(outcome({10, 5}, opposite_sides(10)), "");
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST(SecondCheckersField, SignsAreThoseOfTheNumbersInASubfield) {
     for (int i = 0; i < 50; ++i) {
       Polynomial x = polynomial(1 + random() % (g.size() + 1), 1000);
       if (i % 3 == 1) x = product_of(x, i % 2 == 0 ? minimal : g);
-      if (i % 3 == 2) x = sum(product_of(product_of(x, minimal), g), 1, polynomial(2, 2));
+      if (i % 3 == 2) x = sum(product_of(product_of(x, minimal), g), polynomial(2, 2));
       const int expected = sign_at_root(x, n);
       zeros += expected == 0 ? 1 : 0;
       const FieldNumber number(field, x);
@@ -177,6 +177,102 @@ TEST(SecondCheckersField, SignsOfNumbersNearZero) {
   EXPECT_EQ(is_less(found, Interval(1, 1, 635)), Answer::yes);
   EXPECT_EQ(is_less(Interval(1, 1, 637), found), Answer::yes);
   EXPECT_EQ(sgn(power * FieldNumber(field, {1, 1}) - power * FieldNumber(field, {1, 1})), 0);
+}
+
+/// Powers of the ninth root α of n: 2^k α^i is ⌊(2^9k n^i)^(1/9)⌋, or less than 1 more.
+TEST(SecondCheckersField, ApproximationsAreAsNearAsTheySay) {
+  for (const char* digits :
+       {"2", "1000000007", "1000000000000000000000000000007", "123456789012345678901234567890123456789"}) {
+    const mpz_class n(digits);
+    for (const int sign : {1, -1}) {
+      Polynomial f(10);
+      f[0] = -sign * n;
+      f[9] = 1;
+      const NumberField field(f, sign > 0 ? mpq_class(0) : mpq_class(-n), sign > 0 ? mpq_class(n) : mpq_class(0));
+      for (mp_bitcnt_t bits = 1; bits < 60; ++bits) {
+        for (unsigned long i = 0; i < 9; ++i) {
+          mpz_class power, root;
+          mpz_pow_ui(power.get_mpz_t(), n.get_mpz_t(), i);
+          power <<= 9 * bits;
+          mpz_root(root.get_mpz_t(), power.get_mpz_t(), 9);
+          const int sign_of_power = i % 2 == 0 ? 1 : sign;
+          Polynomial x(i + 1);
+          x[i] = sign_of_power * 7;
+          const Approximation found = field.approximation(x, bits);
+          EXPECT_GE(found.value + found.error, 7 * root) << digits << ' ' << bits << ' ' << i;
+          EXPECT_LE(found.value - found.error, 7 * root + 7) << digits << ' ' << bits << ' ' << i;
+        }
+      }
+    }
+  }
+}
+
+/// Of f = x^d + …, with roots that are known, or that f(2^k) < 0 shows to be greater than 2^k.
+TEST(SecondCheckersField, BoundsHoldForAllConjugates) {
+  const auto power = [](unsigned long base, unsigned long exponent) {
+    mpz_class result;
+    mpz_ui_pow_ui(result.get_mpz_t(), base, exponent);
+    return result;
+  };
+  const auto bits_of = [](const Polynomial& f, const mpq_class& lower, const mpq_class& upper) {
+    return NumberField(f, lower, upper).bits_of_roots();
+  };
+  // ±2²⁰; 2²⁰ and 1; nearly −2²⁰.
+  EXPECT_GE(bits_of({-power(2, 40), 0, 1}, 0, mpq_class(power(2, 21))), 20U);
+  EXPECT_GE(bits_of({power(2, 20), -power(2, 20) - 1, 1}, 0, 2), 20U);
+  EXPECT_GE(bits_of({-1, power(2, 20), 1}, 0, 1), 20U);
+  for (const unsigned long more : {0UL, 1UL, 2UL, 5UL}) {
+    // f_(d−i) = 1 − 2^(ik + i − 1): a root near 3·2^k.
+    Polynomial f(10);
+    f[9] = 1;
+    for (unsigned long i = 1; i <= 9; ++i) f[9 - i] = 1 - power(2, i * more + i - 1);
+    const NumberField field(f, mpq_class(power(2, more + 1)), mpq_class(power(2, more + 2)));
+    EXPECT_GE(field.bits_of_roots(), more + 2);
+    Polynomial eighth_power(9);
+    eighth_power[8] = 1000;
+    const RealNumber x = real_number(FieldNumber(field, eighth_power));
+    EXPECT_GE(x.bits, 8 * (more + 1) + 10);
+    EXPECT_EQ(x.degree, 9U);
+    EXPECT_EQ(x.n, 1U);
+    EXPECT_EQ(x.field, field.name());
+  }
+}
+
+TEST(SecondCheckersField, NamesAreThoseOfRoots) {
+  const NumberField field({-2, 0, 1}, 1, 2);
+  EXPECT_NE(field.name(), NumberField({-2, 0, 1}, -2, -1).name());
+  EXPECT_NE(field.name(), NumberField({-3, 0, 1}, 1, 2).name());
+  EXPECT_EQ(field.name(), NumberField({-2, 0, 1}, 1, 2).name());
+  // Of numbers with a denominator: 2/3 to 1, and 2 to 3.
+  EXPECT_NE(NumberField({-1, 0, 0, 2, 0, 0, 1}, mpq_class(2, 3), 1).name(),
+            NumberField({-1, 0, 0, 2, 0, 0, 1}, 0, 1).name());
+}
+
+/// (x² − 2)(x² − qx + p − 2) at √2, where the other factor is p − q√2: less than any number of the first bits tells.
+TEST(SecondCheckersField, AFactorThatIsNearlyZeroIsNotZero) {
+  mpz_class p = 1;
+  mpz_class q = 1;
+  for (int i = 1; i < 300; ++i) {
+    const mpz_class next = p + 2 * q;
+    q = p + q;
+    p = next;
+    if (i % 50 != 0) continue;
+    const Polynomial square{-2, 0, 1};
+    const Polynomial near{mpz_class(p - 2), mpz_class(-q), 1};
+    // √2 within 2^−2000.
+    mpz_class floor;
+    mpz_sqrt(floor.get_mpz_t(), mpz_class(mpz_class(2) << 4000).get_mpz_t());
+    const mpz_class scale = mpz_class(1) << 2000;
+    for (const bool first : {true, false}) {
+      const NumberField field(product_of(square, near), mpq_class(floor, scale), mpq_class(floor + 1, scale));
+      if (first) {
+        EXPECT_FALSE(field.is_zero(near)) << i;
+      }
+      EXPECT_TRUE(field.is_zero(square)) << i;
+      EXPECT_FALSE(field.is_zero(near)) << i;
+      EXPECT_EQ(sgn(FieldNumber(field, near)), sgn(mpz_class(p * p - 2 * q * q))) << i;
+    }
+  }
 }
 
 TEST(SecondCheckersField, NumbersThatAreLessThanTheirCoefficientsSay) {
@@ -374,7 +470,7 @@ Net octagon(const Polynomial& f, const mpq_class& lower, const mpq_class& upper,
   tile = {tile[0], tile[4], tile[1], tile[5], tile[2], tile[6], tile[3], tile[7]};
   for (Index k = 0; k < 4; ++k) {
     net.gluing.push_back({0, k, 0, k + 4});
-    const auto middle = [&](std::size_t i) { return sum(tile[k].at(i), 1, tile[k + 1].at(i)); };
+    const auto middle = [&](std::size_t i) { return sum(tile[k].at(i), tile[k + 1].at(i)); };
     const auto nonempty = [](const Polynomial& p) { return p.empty() ? Polynomial{0} : p; };
     field.crossings.push_back({middle(2), {0}, nonempty(negative(middle(0))), nonempty(negative(middle(1)))});
   }
@@ -433,7 +529,7 @@ TEST(SecondCheckersFieldSurface, VerticesAreInTheDisk) {
     // Positive multiples are the same.
     EXPECT_EQ(changed([&](Net& net) {
                 const auto [x, y, t] = vertex(net);
-                vertex(net) = {sum(sum(x, 1, x), 1, x), sum(sum(y, 1, y), 1, y), sum(sum(t, 1, t), 1, t)};
+                vertex(net) = {sum(sum(x, x), x), sum(sum(y, y), y), sum(sum(t, t), t)};
               }),
               "");
   }
@@ -447,7 +543,7 @@ TEST(SecondCheckersFieldSurface, TilesAreConvexAndCounterclockwise) {
   // A flat corner.
   EXPECT_EQ(changed([](Net& net) {
               auto& tile = net.field->tiles[0];
-              for (std::size_t i = 0; i < 3; ++i) tile[4].at(i) = sum(tile[3].at(i), 1, tile[5].at(i));
+              for (std::size_t i = 0; i < 3; ++i) tile[4].at(i) = sum(tile[3].at(i), tile[5].at(i));
             }),
             expected + "3");
 }
@@ -473,7 +569,7 @@ TEST(SecondCheckersFieldSurface, CrossingsTakeSidesToTheirPartners) {
               name + " is no isometry");
     // Real multiples are the same, whatever their sign.
     EXPECT_EQ(changed([&](Net& net) {
-                for (Polynomial& x : row(net)) x = negative(sum(x, 1, x));
+                for (Polynomial& x : row(net)) x = negative(sum(x, x));
               }),
               "");
   }

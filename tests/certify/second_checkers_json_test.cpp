@@ -338,6 +338,9 @@ TEST(SecondCheckersNumbers, RationalsAndDecimalsAreThoseOfTheFormat) {
         }
       };
       compare(certify::parse_rational(word), to_rational);
+      const bool is_integer = word.find('/') == std::string::npos;
+      compare(is_integer ? certify::parse_rational(word) : std::nullopt,
+              [](const Json& value) { return mpq_class(to_integer(value)); });
       compare(certify::parse_decimal(word), to_decimal);
     }
     std::vector<std::string> longer;
@@ -353,6 +356,23 @@ TEST(SecondCheckersNumbers, RationalsAndDecimalsAreThoseOfTheFormat) {
   EXPECT_THROW(static_cast<void>(to_decimal(quoted("1e00000"))), Malformed);
   EXPECT_THROW(static_cast<void>(to_decimal(number("1"))), Malformed);
   EXPECT_THROW(static_cast<void>(to_rational(number("1"))), Malformed);
+  EXPECT_THROW(static_cast<void>(to_integer(number("1"))), Malformed);
+  EXPECT_THROW(static_cast<void>(to_binary64(quoted("1"))), Malformed);
+}
+
+TEST(SecondCheckersNumbers, HaveAMillionDigits) {
+  const std::string half(500'000, '7');
+  const auto expect_full = [](const std::string& text, auto read) {
+    EXPECT_NO_THROW(static_cast<void>(read(quoted(text))));
+    EXPECT_NO_THROW(static_cast<void>(read(quoted("-" + text))));
+    EXPECT_THROW(static_cast<void>(read(quoted(text + "0"))), Malformed);
+    EXPECT_THROW(static_cast<void>(read(quoted("0" + text))), Malformed);
+  };
+  expect_full(half + half, to_rational);
+  expect_full(half + "/" + half, to_rational);
+  expect_full(half + half, to_decimal);
+  expect_full(half + "." + half, to_decimal);
+  expect_full(half + half, to_integer);
 }
 
 TEST(SecondCheckersNumbers, DigitsAndExponentsMakeUpForEachOther) {

@@ -164,12 +164,64 @@ TEST(Text, RationalsOfEveryFormAreExactOrRefused) {
   }
 }
 
+/// The length of the well-formed sequence that the text begins with, by the table of the Unicode standard (3-7); 0 if
+/// there is none.
+std::size_t well_formed(std::string_view text) {
+  struct Row {
+    int first, last, second_first, second_last;
+    std::size_t length;
+  };
+  constexpr std::array<Row, 9> kRows{{{0x00, 0x7f, 0, 0, 1},
+                                      {0xc2, 0xdf, 0x80, 0xbf, 2},
+                                      {0xe0, 0xe0, 0xa0, 0xbf, 3},
+                                      {0xe1, 0xec, 0x80, 0xbf, 3},
+                                      {0xed, 0xed, 0x80, 0x9f, 3},
+                                      {0xee, 0xef, 0x80, 0xbf, 3},
+                                      {0xf0, 0xf0, 0x90, 0xbf, 4},
+                                      {0xf1, 0xf3, 0x80, 0xbf, 4},
+                                      {0xf4, 0xf4, 0x80, 0x8f, 4}}};
+  const auto is_in = [&](std::size_t i, int first, int last) {
+    const int byte = i < text.size() ? static_cast<unsigned char>(text[i]) : -1;
+    return first <= byte && byte <= last;
+  };
+  for (const Row& row : kRows) {
+    bool good = is_in(0, row.first, row.last) && (row.length < 2 || is_in(1, row.second_first, row.second_last));
+    for (std::size_t i = 2; i < row.length; ++i) good = good && is_in(i, 0x80, 0xbf);
+    if (good) return row.length;
+  }
+  return 0;
+}
+
+TEST(Text, IsUtf8IfAllItsCharactersAre) {
+  // All texts of at most four bytes where ranges of the table begin or end, or next to it.
+  constexpr std::string_view kBytes = "A\x7f\x80\x8f\x90\x9f\xa0\xbf\xc0\xc1\xc2\xdf\xe0\xed\xef\xf0\xf4\xf5\xf8\xff";
+  std::vector<std::string> texts{""};
+  for (int length = 0; length <= 4; ++length) {
+    std::size_t good = 0;
+    for (const std::string& text : texts) {
+      std::size_t at = 0;
+      for (std::size_t size = 1; at < text.size() && size > 0; at += size)
+        size = well_formed(std::string_view(text).substr(at));
+      ASSERT_EQ(is_utf8(text), at == text.size()) << testing::PrintToString(text);
+      good += at == text.size() ? 1 : 0;
+    }
+    EXPECT_GT(good, length == 0 ? 0U : 1U);
+    std::vector<std::string> longer;
+    for (const std::string& text : length < 4 ? texts : std::vector<std::string>{}) {
+      for (const char byte : kBytes) longer.push_back(text + byte);
+    }
+    texts = std::move(longer);
+  }
+}
+
 TEST(ParseBinary64, IsReadToNearestEven) {
   EXPECT_EQ(parse_binary64("0.50000000000000000000"), 0.5);
   EXPECT_EQ(parse_binary64("0.18446744073709551616"), 0.18446744073709551616);
   EXPECT_EQ(parse_binary64("0.1000000000000000055511151231257827021181583404541015625"), 0.1);
   EXPECT_EQ(parse_binary64("9007199254740993"), 9007199254740992.0);  // 2^53 + 1, a tie
   EXPECT_EQ(parse_binary64("9007199254740995"), 9007199254740996.0);
+  EXPECT_EQ(parse_binary64("9223372036854776832"), 0x1p63);  // 2^63 + 2^10, a tie, and more.
+  EXPECT_EQ(parse_binary64("9223372036854776833"), 0x1p63 + 0x1p11);
   EXPECT_EQ(parse_binary64("9007199254740993.00000000000000000000000000000001"), 9007199254740994.0);
   for (const char* text :
        {"0",
@@ -363,6 +415,26 @@ RC_GTEST_PROP(ParseBinary64Property, AnyNumberIsExact, ()) {
     text += "." + std::string(*rc::gen::inRange<std::size_t>(0, 30), '0') + digits(1, 800);
   if (*rc::gen::arbitrary<bool>()) text += "e" + std::to_string(*rc::gen::inRange(-400, 330));
   expect_exact(text);
+  RC_ASSERT(!testing::Test::HasFailure());
+}
+
+/// Decimals of up to 19 digits as near to a tie as such decimals are: the last place of an integer of 64 bits decides.
+RC_GTEST_PROP(ParseBinary64Property, DecimalsNextToTiesAreExact, ()) {
+  const auto places = *rc::gen::inRange<std::size_t>(0, 30);
+  const std::uint64_t mantissa =
+      (*rc::gen::arbitrary<std::uint64_t>() & ((std::uint64_t{1} << 52U) - 1)) | std::uint64_t{1} << 52U;
+  const mpz_class tie = 2 * mpz_class(std::to_string(mantissa)) + 1;
+  const mpq_class scaled = tie * power(10, static_cast<long>(places));
+  // Times 2^e, so that there are 58 to 64 bits before the point.
+  const auto bits = *rc::gen::inRange<long>(58, 65);
+  const mpq_class digits = scaled * power(2, bits - static_cast<long>(mpz_sizeinbase(scaled.get_num().get_mpz_t(), 2)));
+  const mpz_class floor = digits.get_num() / digits.get_den();
+  for (const int more : {-1, 0, 1, 2}) {
+    std::string text = mpz_class(floor + more).get_str();
+    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+    if (places > 0) text.insert(text.size() - places, ".");
+    expect_exact(text);
+  }
   RC_ASSERT(!testing::Test::HasFailure());
 }
 

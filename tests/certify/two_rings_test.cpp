@@ -1,7 +1,10 @@
 #include "certify/numbers/two_rings.h"
 
 #include <array>
+#include <flint/fmpz_lll.h>
+#include <flint/fmpz_mat.h>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <rapidcheck/gtest.h>
 #include <vector>
 
@@ -42,6 +45,26 @@ std::optional<bool> agree(const RegularNumber& x, const FieldNumber& y, const Re
 mpz_class power(unsigned long base, unsigned long exponent) {
   mpz_class result;
   mpz_ui_pow_ui(result.get_mpz_t(), base, exponent);
+  return result;
+}
+
+/// Integers x_i, about 2^bits, for which Σ x_i numbers_i is about 2^(−bits (n − 1)), as small as it can be.
+std::vector<mpz_class> small_combination(const std::vector<Ball>& numbers, slong bits) {
+  const auto n = static_cast<slong>(numbers.size());
+  fmpz_mat_t basis;
+  fmpz_mat_init(basis, n, n + 1);
+  for (slong i = 0; i < n; ++i) {
+    fmpz_one(fmpz_mat_entry(basis, i, i));
+    const Ball scaled_number = scaled(numbers[static_cast<std::size_t>(i)], bits * n);
+    arf_get_fmpz(fmpz_mat_entry(basis, i, n), arb_midref(scaled_number.get()), ARF_RND_NEAR);
+  }
+  fmpz_lll_t lll;
+  fmpz_lll_context_init_default(lll);
+  fmpz_lll(basis, nullptr, lll);
+  std::vector<mpz_class> result(numbers.size());
+  for (slong i = 0; i < n; ++i)
+    fmpz_get_mpz(result[static_cast<std::size_t>(i)].get_mpz_t(), fmpz_mat_entry(basis, 0, i));
+  fmpz_mat_clear(basis);
   return result;
 }
 
@@ -95,6 +118,127 @@ TEST(TwoRings, TheDegreeIsThatOfBothFieldsTogether) {
   }
 }
 
+/// Two roots of x³ − 4x − 1, which together make a field of degree 6: x₀ + x₁α + x₂α² = −x₃β − x₄β², nearly.
+TEST(TwoRings, TheDegreeIsThatOfTwoRootsOfOnePolynomialTogether) {
+  const std::vector<mpz_class> f{-1, -4, 0, 1};
+  const NumberField first(f, {mpq_class(2), mpq_class(3)});
+  const NumberField second(f, {mpq_class(-1), mpq_class(0)});
+  const auto number = [](const NumberField& field, const std::vector<mpz_class>& x) { return field_number(field, x); };
+  const Precision scope(1000);
+  const std::vector<Ball> numbers{Ball::exactly(1), value(number(first, {0, 1})), value(number(first, {0, 0, 1})),
+                                  value(number(second, {0, 1})), value(number(second, {0, 0, 1}))};
+  for (const slong bits : {20, 35, 50}) {
+    const auto x = small_combination(numbers, bits);
+    EXPECT_EQ(
+        products_agree(ProductPair<FieldNumber, FieldNumber>{number(first, {x[0], x[1], x[2]}), number(second, {1}),
+                                                             number(first, {1}), number(second, {0, -x[3], -x[4]})},
+                       {}),
+        false);
+  }
+  // The roots of x² − 2 and of x² − 3 between 1 and 2.
+  const NumberField three({-3, 0, 1}, {mpq_class(1), mpq_class(2)});
+  for (const auto& x : biquadratic::powers_with_three(15)) {
+    EXPECT_EQ(products_agree(ProductPair<FieldNumber, FieldNumber>{in_field(x[2], x[3]), number(three, {0, 1}),
+                                                                   in_field(-x[0], -x[1]), number(three, {1})},
+                             {}),
+              false);
+  }
+}
+
+/// x + yr = (z + w√2)t, nearly, r and t the roots of 3 and of 5: a field of degree 8.
+TEST(TwoRings, TheDegreeIsThatOfBothRootsTogether) {
+  const RegularRing other(8, std::array<PowerOfZeta, 1>{{{5, 0}}});
+  const std::array<PowerOfZeta, 1> one{{{1, 0}}};
+  const std::array<PowerOfZeta, 2> two{{{1, 1}, {1, -1}}};
+  const RegularNumber unit = in_ring(1, 0);
+  const RegularNumber r = regular_number(ring(), {}, one);
+  const RegularNumber t = regular_number(other, {}, one);
+  const RegularNumber t_two = regular_number(other, {}, two);
+  const RegularNumber other_unit = regular_number(other, one, {});
+  const RegularNumber zero = other_unit - other_unit;
+  const Precision scope(1000);
+  const std::vector<Ball> numbers{value(unit), value(in_ring(0, 1)), value(r), value(in_ring(0, 1) * r),
+                                  value(t),    value(t_two)};
+  for (const slong bits : {20, 30}) {
+    const auto x = small_combination(numbers, bits);
+    const RegularNumber left = in_ring(x[0], x[1]) + in_ring(x[2], x[3]) * r;
+    const RegularNumber right = mpz_class(-x[4]) * t - x[5] * t_two;
+    EXPECT_EQ(products_agree(ProductPair<RegularNumber, RegularNumber>{left, other_unit, unit, right}, {}), false);
+    EXPECT_EQ(products_agree(ProductPair<RegularNumber, RegularNumber>{right, unit, other_unit, left}, {}), false);
+    EXPECT_EQ(products_agree(ProductPair<RegularNumber, RegularNumber>{left, zero, unit, zero}, {}), true);
+  }
+}
+
+/// x + yr = zt, nearly, r the root of 3 in a ring and t that of 5 in a field.
+TEST(TwoRings, TheDegreeIsThatOfRingAndFieldTogether) {
+  const RegularRing four(4, kThree);
+  const NumberField five({-5, 0, 1}, {mpq_class(2), mpq_class(3)});
+  const RegularNumber unit = regular_number(four, Gaussian{1, 0});
+  const RegularNumber r = regular_number(four, {}, std::array<PowerOfZeta, 1>{{{1, 0}}});
+  const auto of_t = [&](const mpz_class& x, const mpz_class& y) {
+    return field_number(five, std::vector<mpz_class>{x, y});
+  };
+  const Precision scope(1000);
+  for (const slong bits : {20, 80}) {
+    const auto x = small_combination({value(unit), value(r), value(of_t(0, 1))}, bits);
+    EXPECT_EQ(
+        products_agree(
+            ProductPair<RegularNumber, FieldNumber>{x[0] * unit + x[1] * r, of_t(1, 0), unit, of_t(0, -x[2])}, {}),
+        false);
+  }
+}
+
+/// x + y√2 = (z + w√2)r, nearly, r the root of 3, which only one of the two sides has.
+TEST(TwoRings, TheDegreeIsThatOfBothSides) {
+  const std::array<PowerOfZeta, 1> one{{{1, 0}}};
+  const RegularNumber r = regular_number(ring(), {}, one);
+  const Precision scope(1000);
+  const std::vector<Ball> numbers{Ball::exactly(1), value(in_ring(0, 1)), value(r), value(in_ring(0, 1) * r)};
+  for (const slong bits : {20, 60}) {
+    const auto x = small_combination(numbers, bits);
+    const RegularNumber left = in_ring(x[0], x[1]);
+    const RegularNumber right = in_ring(-x[2], -x[3]) * r;
+    EXPECT_EQ(products_agree(ProductPair<RegularNumber, mpz_class>{left, 1, right, 1}, {}), false);
+    EXPECT_EQ(products_agree(ProductPair<RegularNumber, mpz_class>{right, 1, left, 1}, {}), false);
+    EXPECT_EQ(products_agree(ProductPair<mpz_class, RegularNumber>{1, left, 1, right}, {}), false);
+    EXPECT_EQ(products_agree(ProductPair<mpz_class, RegularNumber>{1, right, 1, left}, {}), false);
+  }
+}
+
+/// Of ProductPairs of which one product is 0, the bound is that of the other: (√2 − 1)ⁿ is not 0.
+TEST(TwoRings, OnlyProductsOfZeroAreZero) {
+  const FieldNumber zero = in_field(0, 0);
+  mpz_class p = 1;
+  mpz_class q = 0;
+  for (int n = 1; n < 100; ++n) {
+    const mpz_class last = p;
+    p = -p + 2 * q;
+    q = last - q;
+    const FieldNumber small = in_field(p, q);
+    for (const mpz_class& factor : {mpz_class(1), mpz_class(-5)}) {
+      EXPECT_EQ(products_agree(ProductPair<mpz_class, FieldNumber>{factor, small, 0, zero}, {}), false);
+      EXPECT_EQ(products_agree(ProductPair<mpz_class, FieldNumber>{0, zero, factor, small}, {}), false);
+      EXPECT_EQ(products_agree(ProductPair<FieldNumber, mpz_class>{small, factor, zero, 0}, {}), false);
+      EXPECT_EQ(products_agree(ProductPair<FieldNumber, mpz_class>{zero, 0, small, factor}, {}), false);
+      EXPECT_EQ(products_agree(ProductPair<FieldNumber, mpz_class>{zero, factor, small, 0}, {}), true);
+    }
+  }
+}
+
+/// A ball around 0 says that a number is 0 only if none of its other points may be one: 2^−10 may, not less.
+TEST(TwoRings, WhatMayBeTheLeastNumberIsNotZero) {
+  const auto around_zero = [](double radius) {
+    Ball result;
+    mag_set_d(arb_radref(result.get()), radius);
+    return result;
+  };
+  int calls = 0;
+  EXPECT_EQ(is_zero(2, 10, [&] { return ++calls == 1 ? around_zero(0x1.8p-10) : Ball::exactly(0x1p-10); }), false);
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(is_zero(2, 10, [&] { return around_zero(0x1.8p-11); }), true);
+  EXPECT_EQ(is_zero(3, 10, [&] { return around_zero(0x1p-15); }), std::nullopt);
+}
+
 TEST(TwoRings, TheDegreeIsThatOfAllRootsOfUnityTogether) {
   // √2 is in the ring of order 8, √3 in that of order 12, and both are in that of order 24, of degree 4.
   const RegularRing twelve(12, kThree);
@@ -145,6 +289,12 @@ TEST(TwoRings, BoundsHoldForAllConjugates) {
   std::vector<mpz_class> eighth_power(9);
   eighth_power[8] = 1;
   EXPECT_GE(real_number(field_number(ninth, eighth_power)).bits, 24U);
+  // 1 − 2^(ik + i − 1) for 1 − 4^i: a root near 3·2^k.
+  for (const unsigned long k : {0UL, 1UL, 5UL}) {
+    for (unsigned long i = 1; i <= 9; ++i) coefficients[9 - i] = 1 - power(2, i * k + i - 1);
+    const NumberField field(coefficients, {mpq_class(power(2, k + 1)), mpq_class(power(2, k + 2))});
+    EXPECT_GE(real_number(field_number(field, eighth_power)).bits, 8 * (k + 1) + 4);
+  }
   // The square of s is 1000003.
   const RegularRing large(8, std::array<PowerOfZeta, 1>{{{1'000'003, 0}}});
   EXPECT_GE(real_number(regular_number(large, {}, std::array<PowerOfZeta, 1>{{{1, 0}}})).bits, 10U);
@@ -156,9 +306,12 @@ TEST(TwoRings, DegreesAreThoseOfRealNumbers) {
   EXPECT_EQ(real_number(in_ring(1, 1)).degree, 1U);
   EXPECT_EQ(real_number(regular_number(ring(), {}, std::array<PowerOfZeta, 1>{{{1, 0}}})).degree, 2U);
   EXPECT_EQ(real_number(in_field(1, 1)).degree, 2U);
-  EXPECT_EQ(cyclotomic_degree(1), 1U);
-  EXPECT_EQ(cyclotomic_degree(8), 2U);
-  EXPECT_EQ(cyclotomic_degree(21), 6U);
+  // Of the cosines of 2πk/n, k ≤ n/2 without a common divisor.
+  for (std::uint64_t n = 1; n < 100; ++n) {
+    std::uint64_t conjugates = 0;
+    for (std::uint64_t k = 1; k <= std::max<std::uint64_t>(n / 2, 1); ++k) conjugates += std::gcd(k, n) == 1 ? 1 : 0;
+    EXPECT_EQ(cyclotomic_degree(n), conjugates) << n;
+  }
 }
 
 TEST(TwoRings, WhatTakesTooManyBitsIsOpen) {
