@@ -139,7 +139,12 @@ TEST(Most, EigenvaluesAreLessThanBelowAndNotThanSigma) {
   EXPECT_EQ(changed([](Document& d) { d.at_most[0].sigma = 1e308; }), "UNDECIDED: most");
   EXPECT_EQ(verdict_of("most", [](Document& d) { d.at_most[0].below = d.at_most[0].sigma = 5e-324; }), "UNDECIDED");
   // So many rows may be negative as there are; but the numbers are too large to tell of any.
-  EXPECT_EQ(verdict_of("most", [](Document& d) { d.at_most[0] = {1, 431, 1e308}; }), "UNDECIDED");
+  document = octagon();
+  document.eigenvalues.clear();
+  document.next = 0;
+  document.at_most[0] = {1, 431, 1e308};
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+  EXPECT_THAT(checked(document).message, HasSubstr("at_most[0]: not decided: a pivot is too near to 0"));
 }
 
 TEST(Least, CountsThatAreOneMoreAreUndecided) {
@@ -762,9 +767,12 @@ TEST(RadialFactors, AreNotMadeForWhatTheyAreNotFor) {
   // Products of λ and s that are too large.
   EXPECT_TRUE(made(13.9, 60, 0.5));
   EXPECT_FALSE(made(14, 60, 0.5));
-  // A weight that is too large.
+  // Errors that are too large, and a series of too many terms.
   EXPECT_TRUE(made(65'535, 3000, 0.0001));
   EXPECT_FALSE(made(65'536, 3000, 0.0001));
+  EXPECT_TRUE(made(100'000, 3000, 0.00005));
+  EXPECT_TRUE(made(100'000, 200, 0.00005));
+  EXPECT_FALSE(made(100'500, 200, 0.00005));
   // Coefficients that are too large.
   EXPECT_FALSE(made(50, 2, 0.12));
   // Those of F_m for x = 1 add up to less than 2.9, or to less than 4, and none is greater than 1.5.

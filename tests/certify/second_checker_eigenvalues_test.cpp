@@ -1628,11 +1628,12 @@ struct Functions {
     for (auto& around : few) around.resize(std::min(around.size(), most), Near{});
     return reference(row, few, 1);
   }
-  [[nodiscard]] double reference(const Document::Eigenfunctions& row, const NearOfAll& lifts_of, double margin) const {
+  [[nodiscard]] double reference(const Document::Eigenfunctions& row, const NearOfAll& lifts_of, double margin,
+                                 std::uint64_t genus = 2) const {
     std::vector<certify::PartitionBounds> bounds;
     for (const auto& around : lifts_of)
       bounds.push_back(partition_by_squares(places(around), epsilon, row.radius, margin));
-    return Reference(row, epsilon, 2, lifts_of).error(bounds);
+    return Reference(row, epsilon, static_cast<double>(genus), lifts_of).error(bounds);
   }
   /// Of the lifts, and of the vertex itself.
   [[nodiscard]] static std::vector<Complexd> places(const std::vector<Near>& around) {
@@ -1640,11 +1641,11 @@ struct Functions {
     for (const Near& lift : around) result.push_back(lift.b / std::conj(lift.a));
     return result;
   }
-  [[nodiscard]] double first(const Document::Eigenfunctions& row) const {
+  [[nodiscard]] double first(const Document::Eigenfunctions& row, std::uint64_t genus = 2) const {
     const Precision scope(kBits);
     const auto order = static_cast<std::uint32_t>(row.functions[0].size() / document.net.vertices.size() / 2);
     const auto overlaps = certify::Overlaps::make(document.net, labels, row.radius, order, row.lambda, {}, 1);
-    return certify::eigenvalue_error(overlaps.value(), row, 2, {}, 1).value_or(std::nan(""));
+    return certify::eigenvalue_error(overlaps.value(), row, genus, {}, 1).value_or(std::nan(""));
   }
   [[nodiscard]] double second(const Document::Eigenfunctions& row, std::size_t most = 1000) const {
     NearLifts same;
@@ -1724,28 +1725,76 @@ RC_GTEST_PROP(Integrals, AreTheGreatestOfAllPartsOfTheArea, ()) {
   RC_ASSERT(found <= wanted * mpq_class(1 + 0x1p-25));
 }
 
+/// Number k is the vertex that was number order[k].
+Document with_vertices_in_order(Document document, const std::vector<std::uint32_t>& order) {
+  const Document given = document;
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    place[order[k]] = k;
+    document.net.vertices[k] = given.net.vertices[order[k]];
+  }
+  for (auto& triangle : document.net.triangles) {
+    for (std::uint32_t& vertex : triangle.vertex) vertex = place[vertex];
+  }
+  for (auto& row : document.eigenfunctions) {
+    for (Document::Coefficients& function : row.functions) {
+      const Document::Coefficients old = function;
+      const std::size_t each = old.size() / order.size();
+      for (std::size_t i = 0; i < old.size(); ++i) function[i] = old[order[i / each] * each + i % each];
+    }
+  }
+  return document;
+}
+
 /// δ is the same whichever vertex and whichever triangle is the first one.
 TEST(SlowEigenfunctions, AreAsWrongInOtherNumbers) {
   Functions functions("octagon-5-with-a-function");
   const Document given = functions.document;
-  const std::size_t count = given.net.vertices.size();
-  const std::size_t each = given.eigenfunctions[0].functions[0].size() / count;
   const double wanted = functions.first(given.eigenfunctions[0]);
-  for (std::size_t shift = 0; shift < count; ++shift) {
-    Document document = given;
-    Document::Coefficients& coefficients = document.eigenfunctions[0].functions[0];
-    std::rotate(document.net.vertices.begin(), document.net.vertices.begin() + static_cast<std::ptrdiff_t>(shift),
-                document.net.vertices.end());
-    std::rotate(coefficients.begin(), coefficients.begin() + static_cast<std::ptrdiff_t>(shift * each),
-                coefficients.end());
-    for (auto& triangle : document.net.triangles) {
-      for (std::uint32_t& vertex : triangle.vertex)
-        vertex = static_cast<std::uint32_t>((vertex + count - shift) % count);
-    }
-    document.net = with_first_triangle(document.net, static_cast<std::uint32_t>(5 * shift % 22));
-    functions.document = document;
-    EXPECT_NEAR(functions.first(document.eigenfunctions[0]) / wanted, 1, 1e-6) << shift;
+  std::vector<std::uint32_t> order(given.net.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::uint32_t shift = 0; shift < order.size(); ++shift) {
+    functions.document = with_vertices_in_order(given, order);
+    functions.document.net = with_first_triangle(functions.document.net, 5 * shift % 22);
+    EXPECT_NEAR(functions.first(functions.document.eigenfunctions[0]) / wanted, 1, 1e-6) << shift;
+    std::rotate(order.begin(), order.begin() + 1, order.end());
   }
+}
+
+/// The last two vertices meet once, and their functions differ more than others do.
+TEST(SlowEigenfunctions, AreAsWrongAsTheLastTwoVerticesSay) {
+  Functions functions("octagon-5-with-a-function");
+  const auto count = static_cast<std::uint32_t>(functions.near.size());
+  const auto meetings = [&](std::uint32_t v, std::uint32_t w) {
+    return std::count_if(functions.near[v].begin(), functions.near[v].end(),
+                         [&](const Near& lift) { return lift.vertex == w; });
+  };
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  bool found = false;
+  for (std::uint32_t v = 0; v < count && !found; ++v) {
+    for (std::uint32_t w = 0; w < count && !found; ++w) {
+      if (w == v || meetings(v, w) != 1 || meetings(w, w) != 0) continue;
+      found = true;
+      std::erase_if(order, [&](std::uint32_t x) { return x == v || x == w; });
+      order.push_back(v);
+      order.push_back(w);
+    }
+  }
+  ASSERT_TRUE(found);
+  functions.document = with_vertices_in_order(functions.document, order);
+  const Precision scope(Functions::kBits);
+  functions.lifts = certify::near_vertices(functions.document.net, functions.labels, Ball::exactly(1.9), {}, 1).value();
+  functions.near = near_of(functions.lifts);
+  Document::Eigenfunctions row = functions.document.eigenfunctions[0];
+  const std::size_t each = row.functions[0].size() / count;
+  row.functions[0][(count - 2) * each] += 1e-5;
+  // So large a genus that the bounds around all vertices count.
+  constexpr std::uint64_t kGenus = 4;
+  const double wanted = functions.reference(row, functions.near, std::sqrt(0.5), kGenus);
+  EXPECT_GT(wanted, 0.1);
+  EXPECT_LT(wanted, 1);
+  EXPECT_NEAR(functions.first(row, kGenus) / wanted, 1, 1e-5);
 }
 
 TEST(SlowSecondCheckersEigenfunctions, ThatProveLessAreUndecided) {

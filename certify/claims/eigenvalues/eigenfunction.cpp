@@ -205,11 +205,12 @@ EigenvaluesDocument::Eigenfunctions normalized(EigenvaluesDocument::Eigenfunctio
 double greatest_integral(std::vector<double> values, double disk, double area) {
   std::sort(values.begin(), values.end(), std::greater<>());
   double result = 0;
-  double left = area * kRoom;
+  // Wrong by roundings of the area, for the least of the values that count: kRoom is more than these as well.
+  double left = area;
   for (const double value : values) {
     const double part = std::min(disk, left);
     result += part * value;
-    left = (left - part) * kRoom;
+    left -= part;
   }
   return result * kRoom;
 }

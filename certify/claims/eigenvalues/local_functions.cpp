@@ -97,7 +97,7 @@ std::optional<LocalPoint> LocalPoint::of(const ComplexBall& z, const Ball& great
 std::optional<RadialFactors> RadialFactors::make(const Ball& lambda, std::uint32_t order, const Ball& greatest) {
   const auto less = [](const Ball& x, const Ball& y) { return certainly_less(x, y) == Tri::yes; };
   if (certainly_less(half(Ball::exactly(1)), greatest) != Tri::no) return std::nullopt;
-  if (!less(lambda, Ball::exactly(65'536)) || !less(lambda * greatest, Ball::exactly(7))) return std::nullopt;
+  if (!less(lambda * greatest, Ball::exactly(7))) return std::nullopt;
   const Ball most = greatest_argument(greatest);
   const Ball greatest_ratio = greatest / (1 - greatest) / most;
   auto last = series(lambda, order, most, greatest_ratio);
@@ -107,6 +107,7 @@ std::optional<RadialFactors> RadialFactors::make(const Ball& lambda, std::uint32
   result.last_ = *std::move(last);
   result.next_ = *std::move(next);
   const double lambda_above = outer_interval(lambda).upper;
+  // Positive: series are so short only for λ < 2⁹(M + 2).
   result.weight_bits_ = kBits;
   while (std::ldexp(lambda_above, result.weight_bits_) >= 0x1p62) --result.weight_bits_;
   for (std::uint64_t m = 1; m <= order; ++m) {
