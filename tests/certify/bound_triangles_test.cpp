@@ -274,6 +274,41 @@ TEST(BoundTriangles, IntervalsAreNarrowAroundMeasures) {
   }
 }
 
+/// In both arithmetics, of one wide side.
+TEST(BoundTriangles, MeasuresOfWideSidesContainThoseOfTheirPoints) {
+  const Precision scope(kPrecision);
+  for (const auto& [a, b, c] : std::initializer_list<std::array<double, 3>>{
+           {1, 1, 1}, {4, 5, 6}, {6, 4, 5}, {0.01, 0.02, 0.015}, {7, 1, 5}, {100, 70, 3}, {0.5, 8, 6}}) {
+    for (const double width : {1e-2, 1e-6}) {
+      for (std::size_t wide = 0; wide < 3; ++wide) {
+        std::array<double, 3> sides{a, b, c};
+        const double low = sides[wide] * (1 - width);
+        const double high = sides[wide] * (1 + width);
+        std::array<Interval, 3> intervals{Interval{a, a}, {b, b}, {c, c}};
+        intervals[wide] = {low, high};
+        Triangle balls = triangle(a, b, c);
+        balls[wide] = between(low, high);
+        const MeasuresIn<Interval> of_intervals = measures(SidesIn<Interval>(intervals));
+        const TriangleMeasures of_balls = measured(balls);
+        for (const double x : {low, high}) {
+          sides[wide] = x;
+          const TriangleMeasures point = measured(triangle(sides[0], sides[1], sides[2]));
+          const auto expect_in = [&](const Ball& of_point, const Ball& ball, const Interval& interval) {
+            EXPECT_NE(arb_overlaps(of_point.get(), ball.get()), 0);
+            const Interval exact = outer_interval(of_point);
+            EXPECT_LE(interval.lower, exact.upper) << sides[0] << ' ' << sides[1] << ' ' << sides[2];
+            EXPECT_GE(interval.upper, exact.lower) << sides[0] << ' ' << sides[1] << ' ' << sides[2];
+          };
+          expect_in(point.k, of_balls.k, of_intervals.k);
+          expect_in(point.area, of_balls.area, of_intervals.area);
+          for (std::size_t i = 0; i < 3; ++i)
+            expect_in(point.cotangent[i], of_balls.cotangent[i], of_intervals.cotangent[i]);
+        }
+      }
+    }
+  }
+}
+
 /// Of F areas x: Fx < x + π(F − 2).
 TEST(BoundTriangles, IntervalsAndBallsKnowTheAreaOfTheSurface) {
   for (const std::size_t count : {4U, 6U, 10U, 30U}) {
