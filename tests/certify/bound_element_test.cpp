@@ -100,6 +100,24 @@ TEST(BoundElement, TheDisplacementIsThatOfTheIsometry) {
   }
 }
 
+/// Of several, whichever is the first one.
+TEST(BoundElement, TheLeastDisplacementIsThatOfTheElementThatMovesThePointLeast) {
+  std::vector<BallIsometry> elements;
+  double least = HUGE_VAL;
+  const Complex z(0.3, -0.2);
+  for (const double l : {2.0, 0.75, 3.0, 1.0}) {
+    const Isometry f = along(l, 1.1 * l, 0.4);
+    elements.push_back(both_of(f, f));
+    least = std::min(least, displacement(f, z));
+  }
+  for (std::size_t first = 0; first < elements.size(); ++first) {
+    const Interval found = outer_interval(least_displacement(elements, unit_vector(z), kPrecision));
+    EXPECT_NEAR(found.lower, least, 1e-12) << first;
+    EXPECT_NEAR(found.upper, least, 1e-12) << first;
+    std::rotate(elements.begin(), elements.begin() + 1, elements.end());
+  }
+}
+
 // Displacements in frames, and the recognition of equal products (docs/proof.md, Lemma 21.1).
 
 /// The translation by the length l along the line from 0 to e^{it}.

@@ -6,14 +6,18 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "certify/claims/bound/triangles.h"
 #include "certify/net/numbering.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/moving_vertex.h"
+#include "tests/certify/reference.h"
+#include "tests/certify/turned.h"
 
 /// Bound files. Each rule is broken by a file in which nothing else is wrong.
 namespace epsnet::certify::bound_test {
@@ -165,17 +169,21 @@ TEST(BoundFromABase, AnEdgeOfOneTriangleIsNeitherFlippedNorSplit) {
   for (const std::uint32_t kind : {0U, 1U}) {
     BoundDocument wrong = document;
     if (kind == 1) wrong.cells.resize(wrong.cells.size() + 2, {3});
-    bool found = false;
+    std::vector<std::uint32_t> found;
     for (std::uint32_t dart = 0; dart < darts + 6; ++dart) {
       wrong.base = document.base;
       wrong.base.push_back(2 * dart + kind);
-      if (outcome(wrong) != "REFUTED: triangulations") continue;
-      found = true;
+      const std::string of_dart = outcome(wrong);
+      if (of_dart == "VERIFIED") continue;
+      EXPECT_EQ(of_dart, "REFUTED: triangulations");
+      found.push_back(dart);
       EXPECT_THAT(checked(wrong).message,
                   HasSubstr("base: dart " + std::to_string(dart) +
                             " has the same triangle on both sides and cannot be " + (kind == 0 ? "flipped" : "split")));
     }
-    EXPECT_TRUE(found) << kind;
+    // Both darts of the edge.
+    ASSERT_EQ(found.size(), 2U) << kind;
+    EXPECT_EQ(found[0] / 3, found[1] / 3) << kind;
   }
 }
 
@@ -227,6 +235,93 @@ TEST(Bound, TheLowerBoundIsComparedWithTheValueAtTheVertex) {
     const double last = last_with("VERIFIED", below(found.lower), above(found.upper), document);
     EXPECT_GE(last, found.lower);
     EXPECT_LT(last, found.upper);
+  }
+}
+
+/// The net with the triangle of a dart begun so that this dart is number i of it.
+NetDocument turned_until(NetDocument net, std::uint32_t dart, std::uint32_t i) {
+  for (std::uint32_t turns = (dart % 3 + 3 - i) % 3; turns > 0; --turns) net = turned(std::move(net), dart / 3);
+  return net;
+}
+
+/// With the triangles numbered from another one on.
+BoundDocument renumbered(BoundDocument document, std::uint32_t shift) {
+  const auto count = static_cast<std::uint32_t>(document.net.triangles.size());
+  const auto new_dart = [&](std::uint32_t dart) { return (dart + 3 * shift) % (3 * count); };
+  for (auto& triangle : document.net.triangles) {
+    for (std::uint32_t& dart : triangle.opposite) dart = new_dart(dart);
+  }
+  for (auto& row : document.triangulations) {
+    for (std::uint32_t& dart : row.flips) dart = new_dart(dart);
+  }
+  std::rotate(document.net.triangles.rbegin(), document.net.triangles.rbegin() + shift, document.net.triangles.rend());
+  std::rotate(document.cells.rbegin(), document.cells.rbegin() + shift, document.cells.rend());
+  return document;
+}
+
+/// Whichever of the sides of its two triangles the shortest edge is.
+TEST(Bound, TheShortestEdgeIsFoundWhereverItIs) {
+  BoundDocument document = disk();
+  const NetDocument net = document.net;
+  const Reference reference(net);
+  std::uint32_t shortest = 0;
+  Real least = 1e9;
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+    const auto z = reference.corners(dart / 3);
+    const Real length = squared_half_sinh(z[dart % 3], z[(dart + 1) % 3]);
+    if (length < least) shortest = dart;
+    least = std::min(least, length);
+  }
+  const Interval found = at_vertex(document);
+  for (const std::uint32_t i : {0U, 1U, 2U}) {
+    document.net = turned_until(turned_until(net, shortest, i), opposite(net, shortest), i);
+    document.value = {found.lower - 1e-9, 10};
+    EXPECT_EQ(verdict_of("lower", document), "VERIFIED") << i;
+    document.value = {found.upper + 1e-9, 10};
+    EXPECT_EQ(verdict_of("lower", document), "REFUTED") << i;
+  }
+}
+
+/// Of all triangles the one whose circumcircle is the greatest, or whose edge is the shortest, may be any.
+TEST(Bound, TheTriangleThatDecidesAtTheVertexMayBeAny) {
+  for (const BoundDocument& good : {octagon(), disk(), octagon_radius()}) {
+    const bool radius = good.claim == Claim::radius;
+    const Interval found = at_vertex(good);
+    for (std::uint32_t shift = 0; shift < good.net.triangles.size(); ++shift) {
+      BoundDocument document = renumbered(good, shift);
+      const auto verdict = [&](double bound) {
+        document.value = radius ? Interval{bound / 2, bound} : Interval{bound, 2 * bound};
+        return verdict_of(radius ? "upper" : "lower", document);
+      };
+      EXPECT_EQ(verdict(found.lower - 1e-9), radius ? "REFUTED" : "VERIFIED") << shift;
+      EXPECT_EQ(verdict(found.upper + 1e-9), radius ? "VERIFIED" : "REFUTED") << shift;
+    }
+  }
+}
+
+/// Where the bound of a cell is the value to the last digits, intervals decide as balls do, or not at all.
+TEST(SlowBound, IntervalsDecideCellsAsBallsDo) {
+  std::vector<BoundDocument> files{octagon(), disk(), octagon_radius()};
+  for (BoundDocument document : files) {
+    const bool radius = document.claim == Claim::radius;
+    double& bound = radius ? document.value.lower : document.value.upper;
+    const auto holds = [&](bool filter) {
+      const Certificate certificate = check(document, {.threads = 2, .filter = filter});
+      return certificate.rules.size() == 10 && certificate.rules[9].verdict == Verdict::verified;
+    };
+    (radius ? document.value.upper : document.value.lower) = radius ? 10 : 1e-3;
+    double good = bound;
+    double bad = radius ? bound + 0.5 : bound - 0.5;
+    bound = bad;
+    ASSERT_FALSE(holds(false));
+    while (std::abs(good - bad) > 1e-15) {
+      bound = good / 2 + bad / 2;
+      if (bound == good || bound == bad) break;
+      (holds(true) ? good : bad) = bound;
+    }
+    bound = good;
+    for (int i = 0; i < 4; ++i) bound = below(bound);
+    for (int i = 0; i < 9; ++i, bound = above(bound)) EXPECT_EQ(holds(true), holds(false)) << bound;
   }
 }
 
@@ -422,24 +517,38 @@ TEST(Bound, WideBallsDecideNothing) {
   }
 }
 
-/// With the triangles numbered from another one on.
-BoundDocument renumbered(BoundDocument document, std::uint32_t shift) {
-  const auto count = static_cast<std::uint32_t>(document.net.triangles.size());
-  const auto new_dart = [&](std::uint32_t dart) { return (dart + 3 * shift) % (3 * count); };
-  for (auto& triangle : document.net.triangles) {
-    for (std::uint32_t& dart : triangle.opposite) dart = new_dart(dart);
+/// A flip, and flips that twist two triangles with two common edges around each other; all others stay what they are.
+std::vector<std::uint32_t> twists(const NetDocument& net, std::uint32_t count) {
+  const auto darts = static_cast<std::uint32_t>(3 * net.triangles.size());
+  for (std::uint32_t first = 0; first < darts; ++first) {
+    Map map;
+    for (std::uint32_t d = 0; d < darts; ++d) map.opposite.push_back(opposite(net, d));
+    map.element.resize(darts);
+    (void)flip(map, first, 0);
+    const auto other = [&](std::uint32_t d) -> std::optional<std::uint32_t> {
+      for (const std::uint32_t e : {next_dart(d), previous_dart(d)}) {
+        if (map.opposite[e] / 3 == map.opposite[d] / 3) return e;
+      }
+      return std::nullopt;
+    };
+    std::uint32_t d = 0;
+    while (d < darts && !other(d)) ++d;
+    if (d == darts) continue;
+    std::vector<std::uint32_t> flips{first};
+    for (std::uint32_t i = 0; i < count; ++i) {
+      flips.push_back(d);
+      (void)flip(map, d, 0);
+      d = other(d).value();
+    }
+    return flips;
   }
-  for (auto& row : document.triangulations) {
-    for (std::uint32_t& dart : row.flips) dart = new_dart(dart);
-  }
-  std::rotate(document.net.triangles.rbegin(), document.net.triangles.rbegin() + shift, document.net.triangles.rend());
-  std::rotate(document.cells.rbegin(), document.cells.rbegin() + shift, document.cells.rend());
-  return document;
+  ADD_FAILURE() << "no two triangles have two common edges after a flip";
+  return {};
 }
 
 TEST(Bound, ATriangleThatIsOpenIsNotForgottenForLaterOnes) {
-  // Flips of two edges, and back: bits are lost of some triangles, and it does not matter which of all are the last.
-  BoundDocument document = read_file<BoundDocument>(std::string(EPSNET_TEST_DATA) + "/bounds/octagon-diameter.json");
+  // Twists there and back: bits are lost of two triangles, and it does not matter which of all are the last.
+  BoundDocument document = octagon();
   const auto verdict = [](const BoundDocument& d, slong bits) {
     return check(d, {.threads = 1, .max_precision = bits, .max_work = std::uint64_t{1} << 50}).verdict;
   };
@@ -449,14 +558,16 @@ TEST(Bound, ATriangleThatIsOpenIsNotForgottenForLaterOnes) {
   document.triangulations = {{}};
   for (auto& row : document.cells) row = {3 + 1};
   document.value.upper = 8;
-  for (const std::uint32_t length : {0U, 15U, 120U}) {
+  for (const std::uint32_t count : {0U, 15U, 120U}) {
     auto& flips = document.triangulations[0].flips;
-    flips.clear();
-    for (std::uint32_t k = 0; k < length; ++k) flips.push_back(k % 2);
-    for (std::uint32_t k = length; k-- > 0;) flips.insert(flips.end(), 3, k % 2);
-    const Verdict expected = length < 120 ? Verdict::verified : Verdict::undecided;
+    flips = twists(document.net, count);
+    for (std::size_t k = flips.size(); k-- > 0;) {
+      const std::uint32_t undone = flips[k];
+      flips.insert(flips.end(), 3, undone);
+    }
+    const Verdict expected = count < 120 ? Verdict::verified : Verdict::undecided;
     for (std::uint32_t shift = 0; shift < 6; ++shift) {
-      EXPECT_EQ(verdict(renumbered(document, shift), 128), expected) << length << ", " << shift;
+      EXPECT_EQ(verdict(renumbered(document, shift), 128), expected) << count << ", " << shift;
     }
   }
 }

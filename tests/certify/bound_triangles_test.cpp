@@ -248,6 +248,103 @@ TEST(BoundTriangles, IntervalsDecideAsBallsDo) {
   EXPECT_EQ(certainly_less(Interval{1, std::nan("")}, Interval{2, 3}), Tri::unknown);
 }
 
+/// To few units in the last place.
+bool is_near(double x, double threshold) { return std::abs(x - threshold) < 1e-13 * std::abs(threshold); }
+
+TEST(BoundTriangles, IntervalsAreNarrowAroundMeasures) {
+  const Precision scope(kPrecision);
+  const auto expect_around = [](const Interval& found, const Ball& exact) {
+    const Interval wanted = outer_interval(exact);
+    EXPECT_LE(found.lower, wanted.upper);
+    EXPECT_GE(found.upper, wanted.lower);
+    EXPECT_LT(found.upper - found.lower, 1e-12 * (std::abs(found.lower) + 1));
+  };
+  for (const double a : {0.3, 1.0, 5.0}) {
+    for (const double b : {0.25, 1.0, 4.0}) {
+      for (const double c : {0.5, 1.0, 6.0}) {
+        if (4 * a * b - (a + b - c) * (a + b - c) < 0.01) continue;
+        const std::array<Interval, 3> sides{Interval{a, a}, {b, b}, {c, c}};
+        const MeasuresIn<Interval> found = measures(SidesIn<Interval>(sides));
+        const TriangleMeasures wanted = measured(triangle(a, b, c));
+        expect_around(found.k, wanted.k);
+        expect_around(found.area, wanted.area);
+        for (std::size_t i = 0; i < 3; ++i) expect_around(found.cotangent[i], wanted.cotangent[i]);
+      }
+    }
+  }
+}
+
+/// In both arithmetics, of one wide side.
+TEST(BoundTriangles, MeasuresOfWideSidesContainThoseOfTheirPoints) {
+  const Precision scope(kPrecision);
+  for (const auto& [a, b, c] : std::initializer_list<std::array<double, 3>>{
+           {1, 1, 1}, {4, 5, 6}, {6, 4, 5}, {0.01, 0.02, 0.015}, {7, 1, 5}, {100, 70, 3}, {0.5, 8, 6}}) {
+    for (const double width : {1e-2, 1e-6}) {
+      for (std::size_t wide = 0; wide < 3; ++wide) {
+        std::array<double, 3> sides{a, b, c};
+        const double low = sides[wide] * (1 - width);
+        const double high = sides[wide] * (1 + width);
+        std::array<Interval, 3> intervals{Interval{a, a}, {b, b}, {c, c}};
+        intervals[wide] = {low, high};
+        Triangle balls = triangle(a, b, c);
+        balls[wide] = between(low, high);
+        const MeasuresIn<Interval> of_intervals = measures(SidesIn<Interval>(intervals));
+        const TriangleMeasures of_balls = measured(balls);
+        for (const double x : {low, high}) {
+          sides[wide] = x;
+          const TriangleMeasures point = measured(triangle(sides[0], sides[1], sides[2]));
+          const auto expect_in = [&](const Ball& of_point, const Ball& ball, const Interval& interval) {
+            EXPECT_NE(arb_overlaps(of_point.get(), ball.get()), 0);
+            const Interval exact = outer_interval(of_point);
+            EXPECT_LE(interval.lower, exact.upper) << sides[0] << ' ' << sides[1] << ' ' << sides[2];
+            EXPECT_GE(interval.upper, exact.lower) << sides[0] << ' ' << sides[1] << ' ' << sides[2];
+          };
+          expect_in(point.k, of_balls.k, of_intervals.k);
+          expect_in(point.area, of_balls.area, of_intervals.area);
+          for (std::size_t i = 0; i < 3; ++i)
+            expect_in(point.cotangent[i], of_balls.cotangent[i], of_intervals.cotangent[i]);
+        }
+      }
+    }
+  }
+}
+
+/// Of F areas x: Fx < x + π(F − 2).
+TEST(BoundTriangles, IntervalsAndBallsKnowTheAreaOfTheSurface) {
+  for (const std::size_t count : {4U, 6U, 10U, 30U}) {
+    const double threshold = std::numbers::pi * static_cast<double>(count - 2) / static_cast<double>(count - 1);
+    for (const double factor : {0.25, 0.999, 1 - 1e-9, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-9, 1.001, 2.0}) {
+      const double x = factor * threshold;
+      const Tri of_balls = counterclockwise(std::vector<Ball>(count, number(x)));
+      const Tri of_intervals = all_counterclockwise(std::vector<Interval>(count, Interval{x, x}));
+      if (factor != 1.0) {
+        EXPECT_EQ(of_balls, factor < 1 ? Tri::yes : Tri::no) << count << ' ' << factor;
+        EXPECT_EQ(of_intervals, of_balls) << count << ' ' << factor;
+      } else {
+        EXPECT_TRUE(of_intervals == of_balls || of_intervals == Tri::unknown) << count;
+      }
+    }
+  }
+}
+
+TEST(BoundTriangles, IntervalsTellDelaunayTriangulationsAsBallsDo) {
+  int decided = 0;
+  for (std::size_t d = 0; d < kAcross.size(); ++d) {
+    for (const double h : {0.5, 1.0, 1.9, 1.999999, 2.0, 2.000001, 3.0, 5.0}) {
+      for (const double least : {0.5, 1.3, 1.6, 100.0}) {
+        const std::vector<Ball> balls = with_edge(equal_sides(1), d, number(h));
+        std::vector<Interval> intervals(kAcross.size(), Interval{1, 1});
+        intervals[d] = intervals[kAcross[d]] = Interval{h, h};
+        const Tri wanted = answer(balls, number(least));
+        const Tri found = is_delaunay_and_wide(kAcross, intervals, Interval{least, least});
+        EXPECT_TRUE(found == wanted || (found == Tri::unknown && is_near(h, 2))) << d << ' ' << h << ' ' << least;
+        decided += found == Tri::unknown ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_GT(decided, 18 * 28 - 1);
+}
+
 // Flips and splits of triangulations (docs/proof.md, Lemma 21.2).
 
 /// Elements of a group that is not commutative: matrices of integers modulo a prime, which are equal only if they are.

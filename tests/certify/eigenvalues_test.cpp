@@ -31,6 +31,7 @@
 #include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/inertia.h"
+#include "tests/certify/claim_files.h"
 #include "tests/certify/reference.h"
 #include "tests/support/scale.h"
 
@@ -137,6 +138,13 @@ TEST(Most, EigenvaluesAreLessThanBelowAndNotThanSigma) {
   EXPECT_EQ(changed([](Document& d) { d.at_most[0].sigma *= 1.01; }), "UNDECIDED: most");
   EXPECT_EQ(changed([](Document& d) { d.at_most[0].sigma = 1e308; }), "UNDECIDED: most");
   EXPECT_EQ(verdict_of("most", [](Document& d) { d.at_most[0].below = d.at_most[0].sigma = 5e-324; }), "UNDECIDED");
+  // So many rows may be negative as there are; but the numbers are too large to tell of any.
+  document = octagon();
+  document.eigenvalues.clear();
+  document.next = 0;
+  document.at_most[0] = {1, 431, 1e308};
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+  EXPECT_THAT(checked(document).message, HasSubstr("at_most[0]: not decided: a pivot is too near to 0"));
 }
 
 TEST(Least, CountsThatAreOneMoreAreUndecided) {
@@ -278,7 +286,7 @@ TEST(SlowEigenfunctions, OneFunctionTwiceProvesNothing) {
 }
 
 /// What the functions of a row prove: δ.
-double error_of(const Document& document) {
+double error_of(const Document& document, std::size_t of_row = 0, std::uint64_t genus = 2) {
   constexpr slong kBits = 128;
   const Precision scope(kBits);
   const NetDocument& net = document.net;
@@ -286,10 +294,62 @@ double error_of(const Document& document) {
   std::vector<std::uint32_t> numbers(net.labels.size());
   std::iota(numbers.begin(), numbers.end(), 1U);
   const auto labels = LabelEvaluator(net, parts).evaluate(numbers, kBits, 4 * kBits, 1);
-  const Document::Eigenfunctions& row = document.eigenfunctions.at(0);
+  const Document::Eigenfunctions& row = document.eigenfunctions.at(of_row);
   const auto order = static_cast<std::uint32_t>(row.functions[0].size() / net.vertices.size() / 2);
   const auto overlaps = Overlaps::make(net, labels, row.radius, order, row.lambda, {}, 2);
-  return eigenvalue_error(overlaps.value(), row, 2, {}, 2).value();
+  return eigenvalue_error(overlaps.value(), row, genus, {}, 2).value();
+}
+
+/// The bounds around the vertices are integrated over at most 4π(g − 1): of nine disks, which are more than twice 4π,
+/// nearly all count on a surface of genus 3, and half of them on one of genus 2.
+TEST(Eigenfunctions, AreAsWrongAsTheAreaIsLarge) {
+  const Document document = function();
+  const double of_two = error_of(document);
+  const double of_three = error_of(document, 0, 3);
+  EXPECT_GT(of_three, 1.1 * of_two);
+  EXPECT_LT(of_three, 1.5 * of_two);
+  EXPECT_GE(error_of(document, 0, 4), of_three);
+  EXPECT_LT(error_of(document, 0, 4), 1.01 * of_three);
+}
+
+/// Functions with fewer coefficients, up to this m.
+void leave_out_after(Document::Eigenfunctions& row, std::size_t order, std::size_t vertices) {
+  for (Document::Coefficients& function : row.functions) {
+    const std::size_t each = function.size() / vertices;
+    Document::Coefficients fewer;
+    for (std::size_t i = 0; i < function.size(); ++i) {
+      if (i % each <= 2 * order) fewer.push_back(function[i]);
+    }
+    function = std::move(fewer);
+  }
+}
+
+/// Of two rows, one of which proves nothing of its interval, with disks of the same size or others.
+TEST(SlowEigenfunctions, EachRowIsAskedWithItsOwnDisks) {
+  const Document good = function();
+  const std::size_t vertices = good.net.vertices.size();
+  for (const double radius : {1.0, 0.97, 1.03}) {
+    for (const std::size_t order : {std::size_t{30}, std::size_t{28}}) {
+      Document document = good;
+      auto& rows = document.eigenfunctions;
+      auto other = rows[0];
+      other.radius = radius;
+      leave_out_after(other, order, vertices);
+      for (const bool first : {false, true}) {
+        // λ is that of another function, and so narrow an interval does not follow.
+        other.lambda = first ? rows[0].in.lower - 0.01 : rows[0].in.upper + 0.01;
+        other.in = {other.lambda - 1e-9, other.lambda + 1e-9};
+        rows = {first ? other : good.eigenfunctions[0], first ? good.eigenfunctions[0] : other};
+        const Certificate certificate = checked(document);
+        EXPECT_EQ(certificate.rule, "eigenfunctions");
+        const std::string begin =
+            "eigenfunctions[" + std::to_string(first ? 0 : 1) + "]: eigenvalues are proved only within ";
+        ASSERT_EQ(certificate.message.substr(0, begin.size()), begin) << certificate.message;
+        const double found = std::stod(certificate.message.substr(begin.size()));
+        EXPECT_NEAR(found / error_of(document, first ? 0 : 1), 1, 1e-9) << radius << ' ' << order << ' ' << first;
+      }
+    }
+  }
 }
 
 /// What certify says of the file with its eigenfunction changed.
@@ -431,6 +491,24 @@ TEST(LocalPoints, AreTheNumbersThatTheyStandFor) {
   EXPECT_TRUE(LocalPoint::of(wide, greatest));
   arb_add_error_2exp_si(wide.re(), -62);
   EXPECT_FALSE(LocalPoint::of(wide, greatest));
+  // Each part less than a unit away: known to a quarter of one, and rounded by half of one at most.
+  for (const bool is_real : {false, true}) {
+    const auto known = [&](double radius) {
+      ComplexBall x;
+      arb_add_error(is_real ? x.re() : x.im(), Ball::exactly(radius).get());
+      return LocalPoint::of(x, Ball::exactly(0.25)).has_value();
+    };
+    EXPECT_TRUE(known(0x1p-66)) << is_real;
+    EXPECT_FALSE(known(1.5 * 0x1p-65)) << is_real;
+  }
+  // Near the edge of large disks, where x/X changes fastest.
+  const auto ratio_known = [](double radius) {
+    ComplexBall x(Ball::exactly(0.7071), Ball());
+    arb_add_error(x.re(), Ball::exactly(radius).get());
+    return LocalPoint::of(x, Ball::exactly(0.5)).has_value();
+  };
+  EXPECT_TRUE(ratio_known(0x1p-66));
+  EXPECT_FALSE(ratio_known(1.3 * 0x1p-65));
   // Perhaps beyond s₀.
   ComplexBall half_known(Ball::exactly(0.5), Ball());
   EXPECT_TRUE(LocalPoint::of(half_known, Ball::exactly(0.25)));
@@ -677,14 +755,24 @@ TEST(RadialFactors, AreNotMadeForWhatTheyAreNotFor) {
   };
   EXPECT_TRUE(made(2, 30, 0.5));
   EXPECT_FALSE(made(2, 30, above(0.5)));
+  // Too few bits for the units.
+  const auto rough = [](slong bits) {
+    const Precision few(bits);
+    return RadialFactors::make(Ball::exactly(2.75), 30, Ball::exactly(0.375)).has_value();
+  };
+  EXPECT_TRUE(rough(100));
+  EXPECT_FALSE(rough(48));
   // A series of order 1 that would take too long.
   EXPECT_FALSE(made(1, 1, 0.5));
   // Products of λ and s that are too large.
   EXPECT_TRUE(made(13.9, 60, 0.5));
   EXPECT_FALSE(made(14, 60, 0.5));
-  // A weight that is too large.
+  // Errors that are too large, and a series of too many terms.
   EXPECT_TRUE(made(65'535, 3000, 0.0001));
   EXPECT_FALSE(made(65'536, 3000, 0.0001));
+  EXPECT_TRUE(made(100'000, 3000, 0.00005));
+  EXPECT_TRUE(made(100'000, 200, 0.00005));
+  EXPECT_FALSE(made(100'500, 200, 0.00005));
   // Coefficients that are too large.
   EXPECT_FALSE(made(50, 2, 0.12));
   // Those of F_m for x = 1 add up to less than 2.9, or to less than 4, and none is greater than 1.5.
@@ -753,6 +841,10 @@ TEST(LocalValues, AreSumsOfTheirWavesWithTheErrorsThatTheySay) {
   // Numbers that are too large, and one that is not.
   Document::Eigenfunctions row{{2, 3}, 2.75, 0.8, {Document::Coefficients(kVertices * kEach)}};
   EXPECT_TRUE(LocalValues::make(row, kVertices, greatest));
+  row.functions[0].back() = 0x1p20;
+  ASSERT_TRUE(LocalValues::make(row, kVertices, greatest));
+  EXPECT_GT(LocalValues::make(row, kVertices, greatest)->unit(0), 0x1p20 * std::pow(0.5, kOrder) * 0x1p-62);
+  row.functions[0].back() = 0;
   row.functions[0][3] = 0x1p499;
   EXPECT_TRUE(LocalValues::make(row, kVertices, greatest));
   row.functions[0][3] = 0x1p503;
@@ -939,14 +1031,19 @@ TEST(NearVertices, AreAllThatAreNear) {
 }
 
 TEST(NearVertices, AreTheEndsOfEdgesHoweverShortOthersAre) {
-  // Loops around a cuff of length 0.5; whichever vertex is the first one.
+  // Loops around a cuff of length 0.5; whichever vertex and whichever triangle are the first ones, or the last.
   NetDocument net = read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/three-cuffs.json").net;
   constexpr double kDistance = 1.3;
-  for (const std::uint32_t other : {0U, 3U, 7U}) {
-    std::swap(net.vertices[0], net.vertices[other]);
+  const auto count = static_cast<std::uint32_t>(net.vertices.size());
+  std::vector<std::uint32_t> order(net.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::rotate(order.begin(), order.begin() + 5, order.end());
+  for (std::uint32_t other = 0; other < count; ++other) {
+    std::rotate(net.vertices.begin(), net.vertices.begin() + 1, net.vertices.end());
     for (auto& triangle : net.triangles) {
-      for (std::uint32_t& v : triangle.vertex) v = v == 0 ? other : v == other ? 0 : v;
+      for (std::uint32_t& v : triangle.vertex) v = (v + count - 1) % count;
     }
+    net = with_triangles_in_order(net, order);
     const auto near = near_in(net, kDistance, 128).value();
     const Reference reference(net);
     double shortest = kDistance;
@@ -1463,6 +1560,8 @@ TEST(EigenvaluesStructure, OrdersArePermutations) {
   EXPECT_THAT(problem([](Document& d) { d.side_order[7] = 432; }), HasSubstr("side_order[7]: 432 does not exist"));
   EXPECT_THAT(problem([](Document& d) { d.vertex_order[0] = d.vertex_order[1]; }), HasSubstr("occurs twice"));
   EXPECT_THAT(problem([](Document& d) { d.vertex_order[3] = ~0U; }), HasSubstr("does not exist"));
+  EXPECT_THAT(problem([](Document& d) { d.side_order.back() = d.side_order.front(); }), HasSubstr("occurs twice"));
+  EXPECT_THAT(problem([](Document& d) { d.vertex_order.back() = 142; }), HasSubstr("142 does not exist"));
   // Where nothing is counted, there is none.
   EXPECT_THAT(problem([](Document& d) { d.at_most.clear(); }), HasSubstr("side_order: 432 elements, expected 0"));
   EXPECT_THAT(problem([](Document& d) { d.at_least.clear(); }), HasSubstr("vertex_order: 142 elements, expected 0"));
@@ -1516,6 +1615,7 @@ TEST(EigenvaluesStructure, FunctionsAreWhole) {
   EXPECT_EQ(problem([](auto& f) { f.radius = 0.9; }), "");
   EXPECT_EQ(problem([](auto& f) { f.radius = below(2.0); }), "");
   EXPECT_THAT(problem([](auto& f) { f.functions[0].pop_back(); }), HasSubstr("548 coefficients, expected 2M + 1"));
+  EXPECT_THAT(problem([](auto& f) { f.functions[0].push_back(1); }), HasSubstr("550 coefficients, expected 2M + 1"));
   for (const std::size_t each : {0U, 1U, 2U, 60U, 403U})
     EXPECT_THAT(problem([&](auto& f) { f.functions[0].assign(9 * each, 1); }), HasSubstr("expected 2M + 1")) << each;
   for (const std::size_t each : {3U, 401U})
@@ -1527,7 +1627,29 @@ TEST(EigenvaluesStructure, FunctionsAreWhole) {
   EXPECT_THAT(problem([](auto& f) { f.functions.resize(1001, f.functions[0]); }), HasSubstr("1001 functions"));
   EXPECT_EQ(problem([](auto& f) { f.functions.resize(1000, f.functions[0]); }), "");
   EXPECT_THAT(problem([](auto& f) { f.functions.push_back({1}); }), HasSubstr("another number of coefficients"));
+  EXPECT_THAT(problem([](auto& f) { f.functions.emplace_back(f.functions[0].size() + 9, 1); }),
+              HasSubstr("another number of coefficients"));
+  EXPECT_EQ(problem([](auto& f) { f.functions[0].assign(f.functions[0].size(), -1); }), "");
   EXPECT_THAT(problem([](auto& f) { f.functions.emplace_back(f.functions[0].size()); }), HasSubstr("are 0"));
+}
+
+/// ε is a decimal: R is compared with it exactly.
+TEST(EigenvaluesStructure, DisksOfFunctionsAreLargerThanEpsilon) {
+  Document document = function();
+  document.net.epsilon = "0.875";
+  document.eigenfunctions[0].radius = 0.875;
+  EXPECT_THAT(structure_problem(document).value_or(""), HasSubstr("more than epsilon and less than 2"));
+  document.eigenfunctions[0].radius = above(0.875);
+  EXPECT_EQ(structure_problem(document).value_or(""), "");
+}
+
+TEST(EigenvaluesStructure, FunctionsOfOneVertexHaveAsManyCoefficients) {
+  Document document = file("octagon-5-of-one-vertex");
+  document.net.epsilon = "1.9";
+  document.eigenfunctions = {{{2, 3}, 2.5, 1.95, {Document::Coefficients(5, 1)}}};
+  EXPECT_EQ(structure_problem(document).value_or(""), "");
+  document.eigenfunctions[0].functions[0].push_back(1);
+  EXPECT_THAT(structure_problem(document).value_or(""), HasSubstr("6 coefficients, expected 2M + 1"));
 }
 
 TEST(EigenvaluesStructure, IntervalsOfFunctionsAreInOrder) {

@@ -25,13 +25,15 @@ class MatrixEntries : public testing::Test {
   };
   Numbers any_ball(double size) {
     const double middle = size * any(1);
+    // Often no number of binary64: between two of them if the radius is small.
+    const double beside = random_() % 3 == 0 ? 0 : std::ldexp(any(0), std::ilogb(middle) - 52);
     // A radius with few bits, which a ball keeps as it is; or none.
     const double radius = random_() % 3 == 0 ? 0 : std::ldexp(1, std::ilogb(size)) * std::abs(any(0)) * power(60);
     const double kept = std::ldexp(std::floor(std::ldexp(radius, 20 - std::ilogb(radius + 0x1p-1000))),
                                    std::ilogb(radius + 0x1p-1000) - 20);
-    Numbers result{Ball::exactly(middle), {}};
+    Numbers result{Ball::exactly(middle) + Ball::exactly(beside), {}};
     arb_add_error(result.ball.get(), Ball::exactly(kept).get());
-    const mpq_class m(middle);
+    const mpq_class m(mpq_class(middle) + mpq_class(beside));
     const mpq_class r(kept);
     result.points = {m, mpq_class(m - r), mpq_class(m + r)};
     return result;

@@ -36,6 +36,7 @@
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
+#include "tests/certify/claim_files.h"
 #include "tests/support/scale.h"
 
 /// Both checkers of eigenvalues beside the definitions of docs/proof.md, section 17, in binary64, by quadrature and
@@ -453,6 +454,42 @@ RC_GTEST_PROP(FlatTriangles, EnergyAndMassOfFunctionsAreBounded, ()) {
   }
 }
 
+/// The first checker's numbers of wide balls contain those of the triangles that the balls contain.
+RC_GTEST_PROP(FlatTriangles, OfWideBallsContainThoseOfTheirPoints, ()) {
+  const Precision scope(128);
+  const Triangle t = *triangles(1.5);
+  const double width = *rc::gen::element(1e-3, 1e-5, 1e-9);
+  std::array<Ball, 3> wide;
+  for (std::size_t k = 0; k < 3; ++k) {
+    wide[k] = Ball::exactly(t.square(k));
+    arb_add_error(wide[k].get(), Ball::exactly(t.square(k) * width).get());
+  }
+  const auto all = certify::FlatTriangle::of(wide);
+  if (!all) return;
+  const auto expect_in = [](const Ball& x, const Ball& found, const char* what) {
+    if (arb_contains(found.get(), x.get()) == 0) RC_FAIL(std::string(what) + " is too narrow");
+  };
+  for (int corner = 0; corner < 8; ++corner) {
+    std::array<Ball, 3> squares;
+    for (std::size_t k = 0; k < 3; ++k)
+      squares[k] = Ball::exactly(t.square(k) * (1 + (corner >> k & 1 ? 0.999 : -0.999) * width));
+    const auto one = certify::FlatTriangle::of(squares);
+    RC_ASSERT(one.has_value());
+    const auto expect_form_in = [&](const certify::SymmetricForm& x, const certify::SymmetricForm& found,
+                                    const char* what) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        expect_in(x.square[k], found.square[k], what);
+        expect_in(x.product[k], found.product[k], what);
+      }
+    };
+    expect_form_in(one->least_energy(), all->least_energy(), "the energy of Lemma 32");
+    expect_form_in(one->greatest_mass(), all->greatest_mass(), "the mass of Lemma 33");
+    expect_form_in(one->greatest_energy(), all->greatest_energy(), "the energy of Lemma 35");
+    expect_form_in(one->least_mass(), all->least_mass(), "the mass of Lemma 35");
+    expect_in(one->interpolation_constant(), all->interpolation_constant(), "the constant of Lemma 33");
+  }
+}
+
 TEST(FlatTriangles, AreNotMadeOfThreePointsOnALine) {
   const Precision scope(128);
   const auto first = [](double a, double b, double c) {
@@ -464,9 +501,20 @@ TEST(FlatTriangles, AreNotMadeOfThreePointsOnALine) {
   EXPECT_FALSE(first(-1, 1, 1));
   EXPECT_FALSE(first(1, -1, -1));
   EXPECT_FALSE(first(0, 1, 1));
-  Ball wide = Ball::exactly(1);
-  arb_add_error(wide.get(), Ball::exactly(4).get());
-  EXPECT_FALSE(certify::FlatTriangle::of({wide, Ball::exactly(1), Ball::exactly(1)}).has_value());
+  for (const int signs : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    const auto side = [&](int k) { return (signs >> k & 1) != 0 ? -1.0 : 1.0; };
+    EXPECT_EQ(first(side(0), side(1), side(2)), signs == 0) << signs;
+    EXPECT_FALSE(first(side(0), 0, side(2))) << signs;
+    EXPECT_FALSE(first(side(0), 0, 0)) << signs;
+  }
+  EXPECT_FALSE(first(0, 0, 0));
+  // Perhaps triangles, perhaps not: a square may be negative, or so large that there is no triangle.
+  for (const double radius : {4.0, 1.0, 1.5}) {
+    Ball wide = Ball::exactly(radius == 1.5 ? 2.75 : 1.0);
+    arb_add_error(wide.get(), Ball::exactly(radius).get());
+    EXPECT_FALSE(certify::FlatTriangle::of({wide, Ball::exactly(1), Ball::exactly(1)}).has_value());
+    EXPECT_FALSE(certify::FlatTriangle::of({Ball::exactly(1), Ball::exactly(1), wide}).has_value());
+  }
   const auto corners = [](double x, double y) {
     const auto at = [](double s, double t) {
       return Vector{interval(s), interval(t), sqrt(interval(1 + s * s + t * t))};
@@ -825,6 +873,185 @@ INSTANTIATE_TEST_SUITE_P(Nets, Thresholds,
                                          // Triangles with one vertex in two corners.
                                          Halved{"fenchel-nielsen-3-1", 0}));
 
+/// With the triangles numbered from another one on.
+NetDocument with_first_triangle(const NetDocument& net, std::uint32_t first) {
+  std::vector<std::uint32_t> order(net.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::rotate(order.begin(), order.begin() + first, order.end());
+  return certify::with_triangles_in_order(net, order);
+}
+
+/// H is that of the worst triangle, whichever it is.
+TEST(Matrices, TheConstantIsThatOfTheWorstTriangle) {
+  for (const auto& [name, halvings] : {Halved{"octagon-5-with-a-function", 0}, {"octagon-5-of-one-vertex", 1}}) {
+    const NetDocument whole = file(name).net;
+    double greatest = 0;
+    for (const auto& squares : squares_of(whole, halvings))
+      greatest = std::max(greatest, expected(triangle(squares)).interpolation);
+    for (std::uint32_t first = 0; first < whole.triangles.size(); ++first) {
+      // So many are counted that nothing but H matters.
+      Document document = with_count(with_first_triangle(whole, first), halvings, true);
+      constexpr double kSigma = 7.3;
+      const auto count = static_cast<std::uint32_t>(document.side_order.size());
+      document.at_most = {{kSigma / (1 + greatest * kSigma) * (1 - 1e-9), count, kSigma}};
+      EXPECT_EQ(both(document), "VERIFIED") << name << ' ' << first;
+      document.at_most[0].below *= 1 + 2e-9;
+      EXPECT_EQ(both(document), "UNDECIDED: most") << name << ' ' << first;
+    }
+  }
+}
+
+// Sections of flat line bundles.
+
+/// The values of a section by which a triangle's three are known: of its corners, or of its sides, each a number of
+/// all and a unit, by which it is multiplied in the frame of the triangle of the net.
+struct Values {
+  std::vector<std::size_t> number;
+  std::vector<Complexd> unit;
+  std::size_t count = 0;
+};
+
+/// By dart of the halved triangles: e^{2πip} with f_T = e^{2πip} f_{T′} for the triangles T, T′ of the net on its two
+/// sides. By the label of a corner, f_T is e^{2πiφ} times the function of the corner's vertex.
+std::vector<Complexd> transitions(const NetDocument& net, const std::vector<double>& phases, std::uint32_t halvings) {
+  const auto of_corner = [&](std::uint32_t dart) {
+    const std::uint32_t label = certify::corner_label(net, dart);
+    double sum = 0;
+    if (label > 0) {
+      for (const std::uint32_t side : net.labels[label - 1].word) sum += phases[side];
+    }
+    return sum;
+  };
+  std::vector<Complexd> result;
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+    const std::uint32_t other = net.triangles[dart / 3].opposite[dart % 3];
+    const std::uint32_t end = other / 3 * 3 + (other % 3 + 1) % 3;
+    result.push_back(std::polar(1.0, 2 * std::numbers::pi * (of_corner(dart) - of_corner(end))));
+  }
+  for (; halvings > 0; --halvings) {
+    // The side from corner i to corner i + 1 is a side of both small triangles there, the first and the last one.
+    std::vector<Complexd> halves(4 * result.size(), 1);
+    for (std::size_t dart = 0; dart < result.size(); ++dart) {
+      const std::size_t t = dart / 3;
+      halves[3 * (4 * t + dart % 3)] = result[dart];
+      halves[3 * (4 * t + (dart + 1) % 3) + 2] = result[dart];
+    }
+    result = std::move(halves);
+  }
+  return result;
+}
+
+/// From one dart to the next around its vertex, or across its side, as long as there are new ones; a value that is met
+/// again is the same.
+Values values_of(const HalvedNet& net, const std::vector<Complexd>& transitions, bool of_sides) {
+  Values result{std::vector<std::size_t>(transitions.size()), std::vector<Complexd>(transitions.size()), 0};
+  for (std::size_t first = 0; first < transitions.size(); ++first) {
+    if (result.unit[first] != 0.0) continue;
+    Complexd unit = 1;
+    std::size_t dart = first;
+    do {
+      result.number[dart] = result.count;
+      result.unit[dart] = unit;
+      const std::size_t other = net.opposite[dart];
+      // The function beyond the dart is that of its own triangle, divided by the transition.
+      unit /= transitions[dart];
+      dart = of_sides ? other : other / 3 * 3 + (other % 3 + 1) % 3;
+    } while (dart != first);
+    EXPECT_LT(std::abs(unit - 1.0), 1e-12);
+    ++result.count;
+  }
+  return result;
+}
+
+/// With rows for the real and the imaginary parts.
+Pencil pencil_of_sections(const NetDocument& net, const std::vector<double>& phases, std::uint32_t halvings,
+                          bool of_sides) {
+  const auto squares = squares_of(net, halvings);
+  const Values values = values_of(exactly_halved(net, halvings), transitions(net, phases, halvings), of_sides);
+  Pencil result{dense(2 * values.count), dense(2 * values.count)};
+  const auto add = [&](Dense& sum, std::size_t row, std::size_t column, Complexd x) {
+    sum[2 * row][2 * column] += x.real();
+    sum[2 * row + 1][2 * column + 1] += x.real();
+    sum[2 * row + 1][2 * column] += x.imag();
+    sum[2 * row][2 * column + 1] -= x.imag();
+  };
+  for (std::size_t t = 0; t < squares.size(); ++t) {
+    const Forms forms = expected(triangle(squares[t]));
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const auto dart = [&](std::size_t k) { return 3 * t + (of_sides ? (k + 1) % 3 : k); };
+        // ∫ |f|² is the sum of conj(x_i u_i) h_ij u_j x_j.
+        const Complexd units = std::conj(values.unit[dart(i)]) * values.unit[dart(j)];
+        const std::size_t row = values.number[dart(i)];
+        const std::size_t column = values.number[dart(j)];
+        add(result.energy, row, column, units * (of_sides ? forms.least_energy : forms.greatest_energy)[i][j]);
+        add(result.mass, row, column, units * (of_sides ? forms.greatest_mass : forms.least_mass)[i][j]);
+      }
+    }
+  }
+  return result;
+}
+
+struct Bundle {
+  const char* name;
+  std::uint32_t halvings;
+  /// Across sides 0 to 3 of the octagon, which is glued to itself by opposite sides.
+  std::array<mpq_class, 4> phases;
+};
+
+/// Section 17.3: both checkers count as a dense Hermitian matrix does, to a millionth.
+class ThresholdsOfSections : public testing::TestWithParam<Bundle> {};
+
+TEST_P(ThresholdsOfSections, OfBothCheckersAreThoseOfDenseMatrices) {
+  const auto& [name, halvings, phases] = GetParam();
+  const NetDocument net = file(name).net;
+  std::vector<double> of_sides;
+  std::vector<std::string> written;
+  for (const int sign : {1, -1}) {
+    for (const mpq_class& phase : phases) {
+      of_sides.push_back(sign * phase.get_d());
+      written.push_back(mpq_class(sign * phase).get_str());
+    }
+  }
+  const auto outcome = [&](Document document) {
+    document.phases = written;
+    return both(document);
+  };
+  const Pencil sides = pencil_of_sections(net, of_sides, halvings, true);
+  for (const std::uint32_t count : {0U, 1U, 4U}) {
+    const double sigma = sides.threshold(2 * (count + 1) - 1);
+    SCOPED_TRACE(sigma);
+    Document document = with_count(net, halvings, true);
+    document.at_most = {{sigma / 8, count, sigma * (1 - 1e-6)}};
+    EXPECT_EQ(outcome(document), "VERIFIED");
+    document.at_most[0].sigma = sigma * (1 + 1e-6);
+    EXPECT_EQ(outcome(document), "UNDECIDED: most");
+  }
+  const Pencil vertices = pencil_of_sections(net, of_sides, halvings, false);
+  for (const std::uint32_t count : {1U, 2U, 5U}) {
+    if (vertices.energy.size() < 2 * std::size_t{count}) continue;
+    const double below = vertices.threshold(2 * count - 1);
+    SCOPED_TRACE(below);
+    Document document = with_count(net, halvings, false);
+    document.at_least = {{below * (1 + 1e-6), count}};
+    EXPECT_EQ(outcome(document), "VERIFIED");
+    document.at_least = {{below * (1 - 1e-6), count}};
+    EXPECT_EQ(outcome(document), "UNDECIDED: least");
+  }
+}
+
+const std::array<mpq_class, 4> kSome{mpq_class(3, 10), mpq_class(1, 7), mpq_class(-9, 20), mpq_class(2, 3)};
+const std::array<mpq_class, 4> kHalves{mpq_class(1, 2), 0, mpq_class(-1, 2), mpq_class(1, 2)};
+const std::array<mpq_class, 4> kThirds{mpq_class(1, 3), 0, mpq_class(2, 3), 0};
+const std::array<mpq_class, 4> kQuarters{mpq_class(1, 4), 0, mpq_class(1, 2), mpq_class(-1, 4)};
+
+INSTANTIATE_TEST_SUITE_P(
+    Bundles, ThresholdsOfSections,
+    testing::Values(Bundle{"octagon-5-of-one-vertex", 0, kSome}, Bundle{"octagon-5-of-one-vertex", 1, kSome},
+                    Bundle{"octagon-5-of-one-vertex", 2, kSome}, Bundle{"octagon-5-with-a-function", 0, kSome},
+                    Bundle{"octagon-5-of-one-vertex", 1, kHalves}, Bundle{"octagon-5-of-one-vertex", 1, kThirds},
+                    Bundle{"octagon-5-of-one-vertex", 1, kQuarters}));
+
 // Inertia of the second checker.
 
 /// Random forms on triples of rows: what the second checker counts is what pivots in another order say.
@@ -1086,7 +1313,7 @@ Document random_rows(std::mt19937& random) {
   double from = 1;
   while (below(4) != 0 && from < 9) {
     const double low = from + below(3);
-    const double high = low + below(3) * 0.5;
+    const double high = low + below(below(3) == 0 ? 7 : 3) * 0.5;
     document.eigenfunctions.push_back({{low, high}, low, 1, std::vector<Document::Coefficients>(1 + below(2))});
     from = high + 0.5 + 0.5 * below(2);
   }
@@ -1401,11 +1628,12 @@ struct Functions {
     for (auto& around : few) around.resize(std::min(around.size(), most), Near{});
     return reference(row, few, 1);
   }
-  [[nodiscard]] double reference(const Document::Eigenfunctions& row, const NearOfAll& lifts_of, double margin) const {
+  [[nodiscard]] double reference(const Document::Eigenfunctions& row, const NearOfAll& lifts_of, double margin,
+                                 std::uint64_t genus = 2) const {
     std::vector<certify::PartitionBounds> bounds;
     for (const auto& around : lifts_of)
       bounds.push_back(partition_by_squares(places(around), epsilon, row.radius, margin));
-    return Reference(row, epsilon, 2, lifts_of).error(bounds);
+    return Reference(row, epsilon, static_cast<double>(genus), lifts_of).error(bounds);
   }
   /// Of the lifts, and of the vertex itself.
   [[nodiscard]] static std::vector<Complexd> places(const std::vector<Near>& around) {
@@ -1413,11 +1641,11 @@ struct Functions {
     for (const Near& lift : around) result.push_back(lift.b / std::conj(lift.a));
     return result;
   }
-  [[nodiscard]] double first(const Document::Eigenfunctions& row) const {
+  [[nodiscard]] double first(const Document::Eigenfunctions& row, std::uint64_t genus = 2) const {
     const Precision scope(kBits);
     const auto order = static_cast<std::uint32_t>(row.functions[0].size() / document.net.vertices.size() / 2);
     const auto overlaps = certify::Overlaps::make(document.net, labels, row.radius, order, row.lambda, {}, 1);
-    return certify::eigenvalue_error(overlaps.value(), row, 2, {}, 1).value_or(std::nan(""));
+    return certify::eigenvalue_error(overlaps.value(), row, genus, {}, 1).value_or(std::nan(""));
   }
   [[nodiscard]] double second(const Document::Eigenfunctions& row, std::size_t most = 1000) const {
     NearLifts same;
@@ -1461,6 +1689,112 @@ TEST(Eigenfunctions, OfOneEigenvalueAreAsWrongAsTheLemmasSay) {
   EXPECT_LT(wanted, 0.02);
   EXPECT_NEAR(functions.first(row) / wanted, 1, 1e-5);
   EXPECT_NEAR(functions.second(row) / functions.second_reference(row), 1, 1e-5);
+}
+
+/// I of Lemma 37.3, exactly: of the corners of {0 <= a_k <= disk, Σ a_k <= area}, which have one a_k between 0 and the
+/// area of a disk at most.
+mpq_class greatest_by_corners(const std::vector<double>& values, const mpq_class& disk, const mpq_class& area) {
+  mpq_class greatest = 0;
+  for (std::size_t full = 0; full < (std::size_t{1} << values.size()); ++full) {
+    mpq_class sum = 0;
+    mpq_class left = area;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if ((full >> k & 1) == 0) continue;
+      sum += disk * mpq_class(values[k]);
+      left -= disk;
+    }
+    if (left < 0) continue;
+    greatest = std::max(greatest, sum);
+    const mpq_class rest = std::min(left, disk);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if ((full >> k & 1) == 0) greatest = std::max(greatest, mpq_class(sum + rest * mpq_class(values[k])));
+    }
+  }
+  return greatest;
+}
+
+RC_GTEST_PROP(Integrals, AreTheGreatestOfAllPartsOfTheArea, ()) {
+  const auto number = [](int most) { return *rc::gen::inRange(0, 1 << 30) * std::ldexp(1.0, most - 30); };
+  std::vector<double> values(static_cast<std::size_t>(*rc::gen::inRange(1, 8)));
+  for (double& value : values) value = *rc::gen::inRange(0, 4) == 0 ? 0 : number(3);
+  const double disk = number(1) + 0.1;
+  const double area = number(4) + 0.1;
+  const mpq_class wanted = greatest_by_corners(values, disk, area);
+  const mpq_class found(certify::greatest_integral(values, disk, area));
+  RC_ASSERT(found >= wanted);
+  RC_ASSERT(found <= wanted * mpq_class(1 + 0x1p-25));
+}
+
+/// Number k is the vertex that was number order[k].
+Document with_vertices_in_order(Document document, const std::vector<std::uint32_t>& order) {
+  const Document given = document;
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    place[order[k]] = k;
+    document.net.vertices[k] = given.net.vertices[order[k]];
+  }
+  for (auto& triangle : document.net.triangles) {
+    for (std::uint32_t& vertex : triangle.vertex) vertex = place[vertex];
+  }
+  for (auto& row : document.eigenfunctions) {
+    for (Document::Coefficients& function : row.functions) {
+      const Document::Coefficients old = function;
+      const std::size_t each = old.size() / order.size();
+      for (std::size_t i = 0; i < old.size(); ++i) function[i] = old[order[i / each] * each + i % each];
+    }
+  }
+  return document;
+}
+
+/// δ is the same whichever vertex and whichever triangle is the first one.
+TEST(SlowEigenfunctions, AreAsWrongInOtherNumbers) {
+  Functions functions("octagon-5-with-a-function");
+  const Document given = functions.document;
+  const double wanted = functions.first(given.eigenfunctions[0]);
+  std::vector<std::uint32_t> order(given.net.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::uint32_t shift = 0; shift < order.size(); ++shift) {
+    functions.document = with_vertices_in_order(given, order);
+    functions.document.net = with_first_triangle(functions.document.net, 5 * shift % 22);
+    EXPECT_NEAR(functions.first(functions.document.eigenfunctions[0]) / wanted, 1, 1e-6) << shift;
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+  }
+}
+
+/// The last two vertices meet once, and their functions differ more than others do.
+TEST(SlowEigenfunctions, AreAsWrongAsTheLastTwoVerticesSay) {
+  Functions functions("octagon-5-with-a-function");
+  const auto count = static_cast<std::uint32_t>(functions.near.size());
+  const auto meetings = [&](std::uint32_t v, std::uint32_t w) {
+    return std::count_if(functions.near[v].begin(), functions.near[v].end(),
+                         [&](const Near& lift) { return lift.vertex == w; });
+  };
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  bool found = false;
+  for (std::uint32_t v = 0; v < count && !found; ++v) {
+    for (std::uint32_t w = 0; w < count && !found; ++w) {
+      if (w == v || meetings(v, w) != 1 || meetings(w, w) != 0) continue;
+      found = true;
+      std::erase_if(order, [&](std::uint32_t x) { return x == v || x == w; });
+      order.push_back(v);
+      order.push_back(w);
+    }
+  }
+  ASSERT_TRUE(found);
+  functions.document = with_vertices_in_order(functions.document, order);
+  const Precision scope(Functions::kBits);
+  functions.lifts = certify::near_vertices(functions.document.net, functions.labels, Ball::exactly(1.9), {}, 1).value();
+  functions.near = near_of(functions.lifts);
+  Document::Eigenfunctions row = functions.document.eigenfunctions[0];
+  const std::size_t each = row.functions[0].size() / count;
+  row.functions[0][(count - 2) * each] += 1e-5;
+  // So large a genus that the bounds around all vertices count.
+  constexpr std::uint64_t kGenus = 4;
+  const double wanted = functions.reference(row, functions.near, std::sqrt(0.5), kGenus);
+  EXPECT_GT(wanted, 0.1);
+  EXPECT_LT(wanted, 1);
+  EXPECT_NEAR(functions.first(row, kGenus) / wanted, 1, 1e-5);
 }
 
 TEST(SlowSecondCheckersEigenfunctions, ThatProveLessAreUndecided) {
@@ -1619,6 +1953,9 @@ TEST(Partitions, OfUnityAreNearlyAsSteepAsTheBoundsSay) {
       const certify::PartitionBounds by_squares = partition_by_squares(lifts, epsilon, radius, std::sqrt(0.5));
       EXPECT_NEAR(bounds.laplacians / by_squares.laplacians, 1, 1e-5) << count << ' ' << epsilon << ' ' << radius;
       EXPECT_NEAR(bounds.gradients / by_squares.gradients, 1, 1e-5) << count << ' ' << epsilon << ' ' << radius;
+      // A millionth is for rounding.
+      EXPECT_GE(bounds.laplacians, by_squares.laplacians * (1 + 0.99e-6)) << count << ' ' << epsilon << ' ' << radius;
+      EXPECT_GE(bounds.gradients, by_squares.gradients * (1 + 0.99e-6)) << count << ' ' << epsilon << ' ' << radius;
       const Sums greatest = sampled(lifts, epsilon, radius, random);
       EXPECT_LE(greatest.terms.laplacians, bounds.laplacians) << count << ' ' << epsilon << ' ' << radius;
       EXPECT_LE(greatest.terms.gradients, bounds.gradients) << count << ' ' << epsilon << ' ' << radius;

@@ -332,13 +332,8 @@ class BoundCheck {
     const NetDocument::Vertex& vertex = document_.net.vertices[0];
     const BallVector place = unit_vector(identity_isometry(), vertex.x, vertex.y, precision_);
     std::vector<BallIsometry> edges;
-    Ball shortest_loop;
-    for (const std::uint32_t d : edges_) {
-      edges.push_back(compose(inverse(label(d)), label(next_dart(d)), precision_));
-      const Ball length = displacement(element_of(edges.back(), precision_), place, precision_);
-      shortest_loop = edges.size() == 1 ? length : min(shortest_loop, length);
-    }
-    elements_.emplace(place, shortest_loop, edges, precision_, budget_);
+    for (const std::uint32_t d : edges_) edges.push_back(compose(inverse(label(d)), label(next_dart(d)), precision_));
+    elements_.emplace(place, least_displacement(edges, place, precision_), edges, precision_, budget_);
     ids_.clear();
     for (BallIsometry& g : edges) ids_.push_back(elements_->add(std::move(g)));
     for (const auto& [first, second] : products_) {
@@ -348,12 +343,12 @@ class BoundCheck {
       if (!elements_->all_told() && precision_ < options_.max_precision) return false;
     }
     most_ = sqr(sinh(Ball::exactly(document_.value.upper)));
-    place_base(place);
+    triangles_ = placed_base(place);
     return true;
   }
 
   /// The triangles of the base, in the chart of the net's vertex.
-  void place_base(const BallVector& vertex) {
+  [[nodiscard]] std::vector<Cell> placed_base(const BallVector& vertex) const {
     const auto moved = [&](std::uint32_t number, const BallVector& p) {
       return apply(lorentz_matrix(elements_->isometry(id_of(number)), precision_), p, precision_);
     };
@@ -364,7 +359,7 @@ class BoundCheck {
       const BallVector q = moved(middle.element, points[middle.to]);
       points.push_back(midpoint(p, q, sqrt(half(1 - lorentz_product(p, q, precision_)))));
     }
-    triangles_.clear();
+    std::vector<Cell> result;
     for (std::uint32_t d = 0; d < base_.start.size(); d += 3) {
       const auto corner = [&](std::uint32_t i) -> const BallVector& { return points[base_.start[d + i]]; };
       const BallVector second = moved(base_.map.element[d], corner(1));
@@ -373,8 +368,9 @@ class BoundCheck {
       for (std::size_t i = 0; i < 3; ++i) {
         cell.cosh[i] = -lorentz_product(cell.corner[i], cell.corner[(i + 1) % 3], precision_);
       }
-      triangles_.push_back(std::move(cell));
+      result.push_back(std::move(cell));
     }
+    return result;
   }
 
   RuleReport pass() {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "certify/base/lookup.h"
@@ -49,6 +50,16 @@ Ball displacement(const Element& element, const BallVector& p, slong precision) 
   arb_sqr(result.get(), result.get(), precision);
   arb_add(result.get(), result.get(), element.square.get(), precision);
   return result;
+}
+
+Ball least_displacement(const std::vector<BallIsometry>& elements, const BallVector& p, slong precision) {
+  const Precision scope(precision);
+  std::optional<Ball> least;
+  for (const BallIsometry& g : elements) {
+    Ball own = displacement(element_of(g, precision), p, precision);
+    least = least ? min(*least, own) : std::move(own);
+  }
+  return value_of(least, "there is no element");
 }
 
 Elements::Elements(BallVector point, Ball shortest_loop, const std::vector<BallIsometry>& edges, slong precision,
@@ -244,9 +255,8 @@ void split(Base& base, std::uint32_t d, std::uint32_t one) {
     element[dart] = along;
     element[other] = along ^ 1U;
   };
-  // One of the two edges may be opposite to the other.
-  const auto moved = [&](std::uint32_t dart) { return dart == bc ? mbc + 1 : dart == ax ? max + 1 : dart; };
-  const std::array<std::uint32_t, 2> across{moved(opposite[bc]), moved(opposite[ax])};
+  // The two edges may be opposite to each other: then both are glued when the second one is.
+  const std::array<std::uint32_t, 2> across{opposite[bc], opposite[ax] == bc ? mbc + 1 : opposite[ax]};
   const std::array<std::uint32_t, 2> along{element[bc], element[ax]};
   const std::uint32_t to_b = element[d];
   glue(mbc + 1, across[0], along[0]);

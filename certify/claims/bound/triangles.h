@@ -34,6 +34,9 @@ struct Element {
 /// sinh²(d(p, gp)/2), p a unit vector of the hyperboloid.
 [[nodiscard]] Ball displacement(const Element& element, const BallVector& p, slong precision);
 
+/// sinh²(d(p, gp)/2) of the element g that moves p least. Requires: there is one.
+[[nodiscard]] Ball least_displacement(const std::vector<BallIsometry>& elements, const BallVector& p, slong precision);
+
 /// Elements of the group of a surface, each kept once wherever balls tell that it comes again, as the same product or
 /// another one. One that has lost bits is enclosed anew, where balls tell a path to it along the edges of a Delaunay
 /// triangulation. Then a long chain of products is about as precise as the way straight to each of its elements.

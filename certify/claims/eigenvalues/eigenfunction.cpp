@@ -185,22 +185,6 @@ Ball norms_squared(const Coefficients& coefficients, const Ball& lambda, const B
   return *least;
 }
 
-/// An upper bound for the integral of a function on the surface that is at most the k-th of these values nearer to
-/// vertex k than to others, where the area is at most `disk`.
-double integral(std::vector<double> values, double disk, double area) {
-  std::sort(values.begin(), values.end(), std::greater<>());
-  double result = 0;
-  double left = area * kRoom;
-  for (const double value : values) {
-    const double part = std::min(disk, left);
-    result += part * value;
-    left -= part;
-    if (left <= 0) break;
-    left *= kRoom;
-  }
-  return result * kRoom;
-}
-
 /// With all functions multiplied by a power of 2, so that the greatest coefficient is about 1. Functions prove what
 /// they prove, also where the least coefficients are rounded. One power for all: sizes of functions beside each other
 /// are in Lemma 37.6.
@@ -217,6 +201,19 @@ EigenvaluesDocument::Eigenfunctions normalized(EigenvaluesDocument::Eigenfunctio
 }
 
 }  // namespace
+
+double greatest_integral(std::vector<double> values, double disk, double area) {
+  std::sort(values.begin(), values.end(), std::greater<>());
+  double result = 0;
+  // Wrong by roundings of the area, for the least of the values that count: kRoom is more than these as well.
+  double left = area;
+  for (const double value : values) {
+    const double part = std::min(disk, left);
+    result += part * value;
+    left -= part;
+  }
+  return result * kRoom;
+}
 
 std::optional<double> eigenvalue_error(const Overlaps& overlaps, const EigenvaluesDocument::Eigenfunctions& given,
                                        std::uint64_t genus, const Budget& budget, unsigned threads) {
@@ -268,11 +265,11 @@ std::optional<double> eigenvalue_error(const Overlaps& overlaps, const Eigenvalu
   }
   const double area = upper_end(4 * (genus - 1) * pi());
   const Ball norms = norms_squared(coefficients, lambda, min(overlaps.sinh_disk(), rsqrt(lambda)));
-  const Ball norm =
-      sqrt_of_nonnegative(norms) - sqrt(Ball::exactly(integral(std::move(errors), overlaps.disk_area(), area)));
+  const Ball norm = sqrt_of_nonnegative(norms) -
+                    sqrt(Ball::exactly(greatest_integral(std::move(errors), overlaps.disk_area(), area)));
   if (certainly_positive(norm) == Tri::no) return std::numeric_limits<double>::infinity();
   const double bound =
-      upper_end(sqrt(Ball::exactly(integral(std::move(residuals), overlaps.disk_area(), area))) / norm);
+      upper_end(sqrt(Ball::exactly(greatest_integral(std::move(residuals), overlaps.disk_area(), area))) / norm);
   return certainly_positive(norm) == Tri::yes && std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 

@@ -68,6 +68,10 @@ class Mismatch {
   const Ball& lambda_;
 };
 
+/// An upper bound for I of Lemma 37.3: for the integral over a surface of this area of a function that is at most the
+/// k-th of these values, which are not negative, on the k-th of some parts, each of an area of at most `disk`.
+[[nodiscard]] double greatest_integral(std::vector<double> values, double disk, double area);
+
 /// A bound δ such that at least as many eigenvalues of −Δ on the surface as the row has functions, perhaps 0 among
 /// them, lie in [λ − δ, λ + δ]; infinity if the functions prove none. Nothing if more bits are needed, or the
 /// eigenvalue is too large for the disks. Balls round to the precision of the caller. BudgetSpent.

@@ -183,11 +183,8 @@ SymmetricForm energy(const std::array<Ball, 3>& cotangents, const Ball& factor) 
 }  // namespace
 
 std::optional<FlatTriangle> FlatTriangle::of(const std::array<Ball, 3>& squares) {
-  const Ball product = 4 * squares[0] * squares[1] - sqr(squares[0] + squares[1] - squares[2]);  // 16|T|²
-  for (const Ball& x : {squares[0], squares[1], squares[2], product}) {
-    if (certainly_positive(x) != Tri::yes) return std::nullopt;
-  }
   FlatTriangle triangle(squares);
+  // Of no triangle 16|T|² is not positive, or all l_i² are negative: then |T| or R is NaN.
   if (certainly_less(triangle.cosh_, 1 + triangle.radius_) != Tri::yes) return std::nullopt;
   return triangle;
 }

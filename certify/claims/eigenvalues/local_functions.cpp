@@ -97,7 +97,7 @@ std::optional<LocalPoint> LocalPoint::of(const ComplexBall& z, const Ball& great
 std::optional<RadialFactors> RadialFactors::make(const Ball& lambda, std::uint32_t order, const Ball& greatest) {
   const auto less = [](const Ball& x, const Ball& y) { return certainly_less(x, y) == Tri::yes; };
   if (certainly_less(half(Ball::exactly(1)), greatest) != Tri::no) return std::nullopt;
-  if (!less(lambda, Ball::exactly(65'536)) || !less(lambda * greatest, Ball::exactly(7))) return std::nullopt;
+  if (!less(lambda * greatest, Ball::exactly(7))) return std::nullopt;
   const Ball most = greatest_argument(greatest);
   const Ball greatest_ratio = greatest / (1 - greatest) / most;
   auto last = series(lambda, order, most, greatest_ratio);
@@ -107,6 +107,7 @@ std::optional<RadialFactors> RadialFactors::make(const Ball& lambda, std::uint32
   result.last_ = *std::move(last);
   result.next_ = *std::move(next);
   const double lambda_above = outer_interval(lambda).upper;
+  // Positive: series are so short only for λ < 2⁹(M + 2).
   result.weight_bits_ = kBits;
   while (std::ldexp(lambda_above, result.weight_bits_) >= 0x1p62) --result.weight_bits_;
   for (std::uint64_t m = 1; m <= order; ++m) {
@@ -190,8 +191,8 @@ std::optional<LocalValues> LocalValues::make(const EigenvaluesDocument::Eigenfun
         const auto imaginary = in(-beta(vertex, m));
         if (!real || !imaginary) return std::nullopt;
         result.coefficients_[(vertex * count + j) * (order + 1) + m] = {*real, *imaginary};
-        const double size = std::ldexp(
-            std::abs(static_cast<double>(*real)) + std::abs(static_cast<double>(*imaginary)) + 2, -kValueBits);
+        const double size =
+            std::ldexp(std::abs(static_cast<double>(*real)) + std::abs(static_cast<double>(*imaginary)), -kValueBits);
         error += size * (1.5 * static_cast<double>(m) + 2 * result.factors_.errors()[m]);
       }
       scale.errors.push_back(error * kLeftOut);
@@ -261,8 +262,8 @@ std::vector<std::vector<NearVertex>> neighbours(const NetDocument& net, const st
 class Neighbourhood {
  public:
   Neighbourhood(const std::vector<std::vector<NearVertex>>& edges, const Ball& shortest, const Ball& near,
-                const Ball& far, const Budget& budget)
-      : edges_(edges), shortest_(shortest), near_(near), far_(far), budget_(budget) {}
+                const Budget& budget)
+      : edges_(edges), shortest_(shortest), near_(near), budget_(budget) {}
 
   [[nodiscard]] std::optional<std::vector<NearVertex>> around(std::uint32_t centre) const {
     const std::uint64_t work = 40 * ball_work(static_cast<std::uint64_t>(Precision::bits()));
@@ -274,7 +275,7 @@ class Neighbourhood {
         budget_.spend(work, static_cast<std::uint64_t>(std::distance(first, last)) + 1);
         BallIsometry isometry = product(found[i].isometry, edge.isometry);
         const Ball sinh_squared = displacement(isometry);
-        if (certainly_less(far_, sinh_squared) == Tri::yes) continue;
+        if (certainly_less(near_, sinh_squared) == Tri::yes) continue;
         bool known = false;
         for (auto other = first; other != last && !known; ++other) {
           // Two lifts are the same, or at least as far from each other as the shortest edge is long.
@@ -288,18 +289,14 @@ class Neighbourhood {
         found.push_back({edge.vertex, std::move(isometry), sinh_squared});
       }
     }
-    std::vector<NearVertex> result;
-    for (std::size_t i = 1; i < found.size(); ++i) {
-      if (certainly_less(found[i].sinh_squared, near_) != Tri::no) result.push_back(std::move(found[i]));
-    }
-    return result;
+    found.erase(found.begin());
+    return found;
   }
 
  private:
   const std::vector<std::vector<NearVertex>>& edges_;
   const Ball& shortest_;
   const Ball& near_;
-  const Ball& far_;
   const Budget& budget_;
 };
 
@@ -312,12 +309,11 @@ std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const NetDocum
   budget.spend(400 * ball_work(static_cast<std::uint64_t>(Precision::bits())), net.triangles.size());
   const auto edges = neighbours(net, labels);
   const Ball near = sqr(sinh(half(distance)));
-  const Ball far = sqr(sinh(half(distance) + Ball::rounded(decimal(net.epsilon))));
-  Ball shortest = far;
+  Ball shortest = near;
   for (const auto& ends : edges) {
     for (const NearVertex& end : ends) shortest = min(shortest, displacement(end.isometry));
   }
-  const Neighbourhood neighbourhood(edges, shortest, near, far, budget);
+  const Neighbourhood neighbourhood(edges, shortest, near, budget);
   std::vector<std::optional<std::vector<NearVertex>>> found(net.vertices.size());
   for_each_parallel(found.size(), threads, [&](unsigned, std::size_t vertex) {
     found[vertex] = neighbourhood.around(static_cast<std::uint32_t>(vertex));

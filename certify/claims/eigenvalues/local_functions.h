@@ -111,7 +111,7 @@ struct NearVertex {
 /// precision. Nothing if balls do not tell which of them are the same. BudgetSpent.
 ///
 /// Requires: the rules of the net are verified; `labels` are the values of its labels, number k ≥ 1 at k − 1. Time: the
-/// square of the number of lifts at most `distance` + 2ε away, by vertex.
+/// square of the number of these lifts, by vertex.
 [[nodiscard]] std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const NetDocument& net,
                                                                                 const std::vector<BallIsometry>& labels,
                                                                                 const Ball& distance,
