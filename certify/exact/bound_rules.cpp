@@ -73,7 +73,7 @@ class Elements {
 
   /// The identity, and the elements of the net's darts. The rules of the net, which has one vertex, are verified.
   explicit Elements(NetRules<R>& net) {
-    const Point<R> z = net.corner(0);
+    const Point<R> z = point<R>(net.net().vertices[0].z);
     const Interval m = enclosure(z.m);
     vertex_ = {{enclosure(z.n.re) / m, enclosure(z.n.im) / m}, {1, 0}};
     std::vector<Motion> motions;
@@ -286,7 +286,7 @@ class BoundRules {
                      number(kMaxSteps)};
     static_cast<Map&>(base_) = maps_[0];
     base_.start.resize(net_.darts());
-    base_.point.push_back(unit_vector(net_.corner(0)));
+    base_.point.push_back(unit_vector(point<R>(net_.net().vertices[0].z)));
     for (const Index step : document_.base) {
       if (step % 2 == 0) {
         flip_base(step / 2);
