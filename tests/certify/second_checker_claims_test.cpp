@@ -568,6 +568,27 @@ TEST(SlowSecondCheckerOfBounds, ABasesTrianglesAreWhereTheFirstCheckerHasThem) {
   }
 }
 
+/// The best value for which the cells are bounded is the same number for both checkers, so where few digits do not
+/// tell, more are asked.
+TEST(SlowSecondCheckerOfBounds, TheBestValueIsTheSameToTheLastDigit) {
+  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base"}) {
+    BoundDocument document = bound(name);
+    const bool is_radius = document.claim == BoundDocument::Claim::radius;
+    double& end = is_radius ? document.value.lower : document.value.upper;
+    double good = end;
+    double bad = is_radius ? document.value.upper : document.value.lower;
+    for (double middle = std::midpoint(good, bad); middle != good && middle != bad; middle = std::midpoint(good, bad)) {
+      end = middle;
+      (outcome(document) == "VERIFIED" ? good : bad) = middle;
+    }
+    end = good;
+    EXPECT_EQ(first_outcome(document), "VERIFIED") << name;
+    end = bad;
+    EXPECT_EQ(outcome(document), "REFUTED: cells") << name;
+    EXPECT_EQ(first_outcome(document), "REFUTED: cells") << name;
+  }
+}
+
 /// A base of which each triangle is one cell, bounded by the triangulation of the net.
 BoundDocument with_base(const std::vector<std::uint32_t>& steps) {
   BoundDocument document = bound("octagon-diameter-base");
