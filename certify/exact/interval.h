@@ -59,7 +59,7 @@ template <class R>
 
 class Interval {
  public:
-  static constexpr mpfr_prec_t kBits = 512;
+  static constexpr mpfr_prec_t kBits = 384;
 
   Interval() { begin(); }
   Interval(long n) {  // NOLINT(google-explicit-constructor): numbers in formulas.
