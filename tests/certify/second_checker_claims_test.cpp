@@ -301,7 +301,7 @@ TEST(SlowSecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
 }
 
 TEST(SlowSecondCheckerOfGeodesics, ASystoleMayBeShorterByLittle) {
-  // By 10⁻¹²⁰: as enclosures of 256 bits do not tell.
+  // By 10⁻¹²⁰: as enclosures do not tell.
   auto document = load<GeodesicsDocument>("geodesics/systoles-that-differ-by-1e-120");
   EXPECT_EQ(outcome(document), "VERIFIED");
   EXPECT_EQ(first_outcome(document), "VERIFIED");
@@ -411,7 +411,7 @@ TEST(SlowSecondCheckerOfDistances, ALongerPathIsMissingIfItIsNotTooLong) {
 
 TEST(SlowSecondCheckerOfDistances, APathThatIsNearlyTooLongIsNotForgotten) {
   // Of all points on a segment one is so far along a path that is not listed as `distance` goes: it lies between two
-  // that are so near each other that 256 bits do not tell.
+  // that are so near each other that intervals do not tell.
   DistanceDocument document = load<DistanceDocument>("distances/octagon");
   document.equal = false;
   document.distance = {0.5 * document.distance.lower, 1.1 * document.distance.upper};
