@@ -6,7 +6,7 @@ import tempfile
 import time
 from dataclasses import dataclass
 
-OWN_MEGABYTES = 25  # A child's peak memory includes that of this process when it starts the child, so less cannot be measured.
+OWN_MEGABYTES = 30  # A child's peak memory includes that of this process when it starts the child, so less cannot be measured.
 
 
 class Failure(Exception):
