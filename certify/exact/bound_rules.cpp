@@ -93,8 +93,8 @@ class Elements {
   [[nodiscard]] std::size_t product(std::size_t g, std::size_t f) {
     return found_or_added(compose(elements_[g].motion, elements_[f].motion));
   }
-  /// Darts that were followed from the vertex.
-  [[nodiscard]] std::size_t darts_followed() const { return darts_followed_; }
+  /// The work that ways along edges took, in values of sinh² to a few digits.
+  [[nodiscard]] std::size_t work() const { return work_; }
 
  private:
   struct Along {
@@ -124,6 +124,7 @@ class Elements {
     RoughPlace rest = rounded(place);
     double left = apart(rest, rounded(vertex_)).upper();
     constexpr int kMostEdges = 1000;
+    constexpr std::size_t kMotions = 100;  // What the motions of a step cost.
     for (int edges = 0; edges < kMostEdges; ++edges) {
       const Along* nearest = nullptr;
       for (const Along& dart : along_) {
@@ -132,7 +133,7 @@ class Elements {
         left = distance;
         nearest = &dart;
       }
-      darts_followed_ += along_.size();
+      work_ += along_.size() + kMotions;
       if (nearest == nullptr) return are_same(image(way, vertex_), place) == Answer::yes ? way : g;
       way = compose(way, nearest->motion);
       rest = rounded(image(inverse(way), place));
@@ -162,7 +163,7 @@ class Elements {
   std::vector<std::size_t> of_dart_;
   std::vector<Along> along_;  ///< By dart.
   PointTable table_;
-  std::size_t darts_followed_ = 0;
+  std::size_t work_ = 0;
 };
 
 template <class R>
@@ -387,10 +388,10 @@ class BoundRules {
       map.opposite[other] = to[i];
       map.element[to[i]] = along[i];
     }
-    const std::size_t before = elements_->darts_followed();
+    const std::size_t before = elements_->work();
     map.element[e] = elements_->product(along[0], along[1]);
     map.element[d] = element(map.element[e]).inverse;
-    spend(elements_->darts_followed() - before);
+    spend(elements_->work() - before);
   }
 
   /// The triangle of the base with this dart as the first.

@@ -1160,6 +1160,41 @@ def bound_of_many_triangulations():
 
 
 @kind
+def bound_of_far_elements():
+    """Rows of random flips, each from the first triangulation, lead to long edges, of different elements."""
+    with open(os.path.join(data, "bounds", "octagon-diameter.json")) as file:
+        result = json.load(file)
+    first = [dart for triangle in result["net"]["triangles"] for dart in triangle[3:6]]
+    choose = random.Random(1)
+
+    def following(dart):
+        return dart - 2 if dart % 3 == 2 else dart + 1
+
+    def flip(opposite, d):
+        e = opposite[d]
+        c, b = following(following(d)), following(d)
+        x, a = following(following(e)), following(e)
+        new = {c: b, a: c, x: a, b: x}  # Where the sides of the quadrilateral go.
+        across = {new[side]: new.get(opposite[side], opposite[side]) for side in new}
+        for side, other in across.items():
+            opposite[side], opposite[other] = other, side
+
+    rows, size = [], 0
+    while size < SIZE - 10_000:
+        opposite, row = first.copy(), [0]
+        while len(row) < 20:
+            dart = choose.randrange(len(opposite))
+            if dart // 3 != opposite[dart] // 3:
+                flip(opposite, dart)
+                row.append(dart)
+        rows.append(row)
+        size += len(json.dumps(row, separators=(",", ":"))) + 1
+    result["triangulations"] = rows
+    result["cells"] = [[3]] * len(result["cells"])
+    return result
+
+
+@kind
 def bound_of_many_cells():
     """A diameter with cells that are cut again and again; what bounds a cell bounds its parts."""
     with open(os.path.join(data, "bounds", "octagon-diameter.json")) as file:
