@@ -70,7 +70,7 @@ void PointTable::for_each_near(Index vertex, const std::array<double, 2>& in_squ
 }
 
 void PointTable::count_different() const {
-  if (++different_ > kMostDifferent) leave_loops_out();
+  if (++different_ > kMostDifferent) throw LeftOut{"so many lifts of vertices near each other"};
 }
 
 std::optional<std::size_t> PointTable::find(Index vertex, const Place& place,
