@@ -68,6 +68,26 @@ test("geodesics, distances, bounds, eigenvalues", async () => {
   assert.equal(await kindOf(surface.eigenvalues({ count: 1, below: 1 })), "ArgumentError");
 });
 
+test("closed curves, and eigenvalues with phases", async () => {
+  const bolza = epsnet.named("bolza");
+  const systole = (await bolza.systole()).geodesics[0];
+  const found = await bolza.closedCurves([systole, [0, 0]]);
+  assert.equal(found.certificate.verdict, "VERIFIED");
+  assert.deepEqual(found.basis, [2, 3, 4, 5]);
+  assert.deepEqual(found.curves.map(({ power, self_intersections }) => [power, self_intersections]).slice(0, 2), [[1, 0], [2, 1]]);
+  assert.deepEqual(found.curves[2].homology, [1, 0, 0, 0]);
+  const [meet] = found.pairs.filter(({ first, second }) => first === 2 && second === 3);
+  assert.deepEqual([meet.intersections, Math.abs(meet.algebraic)], [1, 1]);
+  assert.equal(found.fill, false);
+  assert.match(await found.svg(), /^<svg /);
+  assert.equal(await kindOf(bolza.closedCurves([[0, 4]])), "ArgumentError"); // Null-homotopic.
+
+  const half = await bolza.eigenvalues({ count: 1, digits: 2, phases: ["1/2", 0, 0, 0.0] });
+  assert(half.eigenvalues[0].first === 0 && half.eigenvalues[0].in[0] > 0);
+  assert.equal(half.certificate.verdict, "VERIFIED");
+  assert.equal(await kindOf(bolza.eigenvalues({ phases: [0] })), "ArgumentError");
+});
+
 test("isometries, pants, twists, covers, Dirichlet domains", async () => {
   const bolza = epsnet.named("bolza");
   const group = await bolza.isometries();

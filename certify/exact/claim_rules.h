@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "certify/exact/document.h"
@@ -62,7 +63,7 @@ std::vector<Rule> kept(const std::shared_ptr<Owner>& owner, std::vector<Rule> ru
 }
 
 /// Section 17.1 of docs/proof.md: the rule `enclosures`. Throws Refutation. Intervals of eigenfunctions are disjoint
-/// and in order.
-void check_enclosures(const EigenvaluesDocument& document);
+/// and in order. In a box roots of eigenvalues are at most that far from those in its centre.
+void check_enclosures(const EigenvaluesDocument& document, const std::optional<Interval>& distance = {});
 
 }  // namespace epsnet::exact

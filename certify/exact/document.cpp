@@ -331,6 +331,19 @@ Range read_range(const Json& value, const char* what) {
   return range;
 }
 
+EigenvaluesDocument::Box read_box(const Json& value) {
+  expect_members(value, {"radius", "directions"});
+  EigenvaluesDocument::Box box{to_decimal(member(value, "radius")), {}};
+  for (const Json& row : array(member(value, "directions"), "directions")) {
+    expect_members(row, {"steps", "heights"});
+    EigenvaluesDocument::Direction& direction = box.directions.emplace_back();
+    for (const Json& step : array(member(row, "steps"), "steps")) direction.steps.push_back(to_small_integer(step));
+    for (const Json& height : array(member(row, "heights"), "heights"))
+      direction.heights.push_back(read_binary64(height));
+  }
+  return box;
+}
+
 PantsDocument::End read_end(const Json& value) {
   const auto& two = tuple(value, 2, "an end");
   return {to_index(two[0]), to_index(two[1])};
@@ -442,12 +455,13 @@ GeodesicsDocument read_geodesics(const Json& root) {
 }
 
 EigenvaluesDocument read_eigenvalues(const Json& root) {
-  expect_members(root, {"format", "version", "net", "phases", "eigenvalues", "next", "halvings", "side_order",
+  expect_members(root, {"format", "version", "net", "phases", "box", "eigenvalues", "next", "halvings", "side_order",
                         "vertex_order", "at_most", "at_least", "eigenfunctions"});
   expect_version(root);
   Words words;
   EigenvaluesDocument document{.net = read_whole_net(root, words),
                                .phases = {},
+                               .box = {},
                                .eigenvalues = {},
                                .next = read_binary64(member(root, "next")),
                                .halvings = to_index(member(root, "halvings")),
@@ -459,6 +473,7 @@ EigenvaluesDocument read_eigenvalues(const Json& root) {
   if (const Json* phases = find(root, "phases")) {
     for (const Json& phase : array(*phases, "phases")) document.phases.push_back(read_phase(phase));
   }
+  if (const Json* box = find(root, "box")) document.box = read_box(*box);
   for (const Json& row : array(member(root, "eigenvalues"), "eigenvalues")) {
     expect_members(row, {"in", "count"});
     document.eigenvalues.push_back({read_length(member(row, "in"), "in"), to_index(member(row, "count"))});

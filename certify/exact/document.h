@@ -204,8 +204,18 @@ struct EigenvaluesDocument {
     std::vector<Coefficients> functions;
   };
 
+  struct Direction {
+    std::vector<mpz_class> steps;    ///< By side.
+    std::vector<mpq_class> heights;  ///< By vertex.
+  };
+  struct Box {
+    mpq_class radius;
+    std::vector<Direction> directions;
+  };
+
   Net net;
   std::vector<mpq_class> phases;  ///< By side, in turns; none: of functions.
+  std::optional<Box> box;
   std::vector<Enclosure> eigenvalues;
   mpq_class next;
   Index halvings;

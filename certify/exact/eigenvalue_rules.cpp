@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -23,19 +24,22 @@ using Count = std::int64_t;
 /// What the rows say of numbers of eigenvalues, each in logarithmic time.
 class Counts {
  public:
-  explicit Counts(const EigenvaluesDocument& document) : document_(document), functions_{0} {
+  Counts(const EigenvaluesDocument& document, const std::optional<Interval>& distance)
+      : document_(document), functions_{0} {
     for (const auto& row : document.eigenfunctions)
       functions_.push_back(functions_.back() + static_cast<Count>(row.functions.size()));
     at_least_.push_back({0, 0, 0});
-    for (const auto& row : document.at_least)
-      at_least_.push_back({row.below, row.count, row.count - functions_from(row.below)});
+    for (const auto& row : document.at_least) {
+      if (const auto at = least(row.below, distance))
+        at_least_.push_back({*at, row.count, row.count - functions_from(row.below)});
+    }
     sort(at_least_);
     for (std::size_t i = 1; i < at_least_.size(); ++i) {
       at_least_[i].alone = std::max(at_least_[i].alone, at_least_[i - 1].alone);
       at_least_[i].beside = std::max(at_least_[i].beside, at_least_[i - 1].beside);
     }
     for (const auto& row : document.at_most)
-      at_most_.push_back({row.below, row.count, row.count - functions_below(row.below)});
+      at_most_.push_back({most(row.below, distance), row.count, row.count - functions_below(row.below)});
     sort(at_most_);
     for (std::size_t i = at_most_.size(); i-- > 1;) {
       at_most_[i - 1].alone = std::min(at_most_[i - 1].alone, at_most_[i].alone);
@@ -67,6 +71,18 @@ class Counts {
     Count alone;
     Count beside;  ///< Less functions on one side.
   };
+  /// (√y + distance)², or more; nothing if that is more than any binary64.
+  static std::optional<mpq_class> least(const mpq_class& y, const std::optional<Interval>& distance) {
+    if (!distance) return y;
+    const double upper = square(sqrt(Interval(y)) + *distance).upper();
+    return std::isfinite(upper) ? std::optional<mpq_class>(upper) : std::nullopt;
+  }
+  /// (√y − distance)², or less; 0 if that is not known to be a square of a number that is not negative.
+  static mpq_class most(const mpq_class& y, const std::optional<Interval>& distance) {
+    if (!distance) return y;
+    const Interval root = sqrt(Interval(y)) - *distance;
+    return is_less(0, root) == Answer::yes ? mpq_class(square(root).lower()) : mpq_class(0);
+  }
   static void sort(std::vector<Bound>& bounds) {
     std::sort(bounds.begin(), bounds.end(), [](const Bound& x, const Bound& y) { return x.at < y.at; });
   }
@@ -97,8 +113,8 @@ class Counts {
 
 }  // namespace
 
-void check_enclosures(const EigenvaluesDocument& document) {
-  const Counts counts(document);
+void check_enclosures(const EigenvaluesDocument& document, const std::optional<Interval>& distance) {
+  const Counts counts(document, distance);
   Count before = 0;
   for (std::size_t i = 0; i < document.eigenvalues.size(); ++i) {
     const auto& [in, count] = document.eigenvalues[i];
@@ -114,7 +130,8 @@ namespace {
 
 using Document = EigenvaluesDocument;
 
-constexpr std::size_t kMostTriangles = 100'000;  ///< Halved ones.
+constexpr std::size_t kMostTriangles = 100'000;      ///< Halved ones.
+constexpr std::size_t kMostValuesOfBox = 1'000'000;  ///< For each direction corners of triangles and letters.
 constexpr std::size_t kMultiplications =
     2000;  ///< Of all factorisations of a rule, for each lift that a list may ask for.
 
@@ -161,8 +178,22 @@ void check_phases(const std::vector<mpq_class>& phases, std::size_t sides) {
   }
 }
 
+void check_box(const Document& document, std::size_t sides) {
+  if (!document.box) return;
+  expect(!document.phases.empty(), "box: there are no phases");
+  expect(document.box->radius > 0, "box: the radius is not positive");
+  expect(document.box->directions.size() + document.net.vertices.size() <= 2 + document.net.triangles.size() / 2,
+         "box: more than 2g directions");
+  for (const Document::Direction& direction : document.box->directions) {
+    expect(direction.steps.size() == sides, "steps: not one for each side of the surface");
+    for (const mpz_class& step : direction.steps) expect(abs(step) <= 1'000'000, "steps: one is more than 10^6");
+    expect(direction.heights.size() == document.net.vertices.size(), "heights: not one for each vertex");
+  }
+}
+
 void check_structure(const Document& document, std::size_t sides) {
   check_phases(document.phases, sides);
+  check_box(document, sides);
   expect(document.phases.empty() || document.eigenfunctions.empty(), "eigenfunctions: there are phases");
   expect(document.next >= 0, "next: negative");
   expect(document.halvings <= 12, "halvings: more than 12");
@@ -194,7 +225,8 @@ class EigenvalueRules {
     std::vector<Rule> rules{{.name = "most", .ask = [this] { check_most(); }, .may_be_open = true},
                             {.name = "least", .ask = [this] { check_least(); }, .may_be_open = true},
                             {.name = "eigenfunctions", .ask = [this] { check_eigenfunctions(); }, .may_be_open = true},
-                            {.name = "enclosures", .ask = [this] { check_enclosures(document_); }}};
+                            {.name = "enclosures", .ask = [this] { check_enclosures(document_, distance_); }}};
+    if (document_.box) rules.insert(rules.begin(), {.name = "box", .ask = [this] { check_box(); }});
     if (has_phases()) rules.insert(rules.begin(), {.name = "phases", .ask = [this] { bundle_.check(); }});
     return rules;
   }
@@ -244,6 +276,58 @@ class EigenvalueRules {
     const Interval size = enclosure(gap(z));
     return {2 * enclosure(R(z.n.re * z.m)) / size, 2 * enclosure(R(z.n.im * z.m)) / size,
             enclosure(R(z.m * z.m + norm(z.n))) / size};
+  }
+
+  /// Lemma 37.10.
+  void check_box() {
+    std::size_t values = 3 * document_.net.triangles.size();
+    for (const auto& label : document_.net.labels) values += label.word.size();
+    if (values * document_.box->directions.size() > kMostValuesOfBox) throw LeftOut{"so many directions"};
+    std::vector<std::vector<mpz_class>> steps;  // By direction and label.
+    for (const Document::Direction& direction : document_.box->directions) {
+      const auto sum = [&](const std::vector<Index>& word) {
+        mpz_class result;
+        for (const Index s : word) result += direction.steps[s];
+        return result;
+      };
+      each_relation(net_, [&](const std::vector<Index>& sides, const std::string& name) {
+        if (sum(sides) != 0) throw Refutation{"the steps of " + name + " do not add up to 0"};
+      });
+      steps.emplace_back(1);
+      for (const auto& label : document_.net.labels) steps.back().push_back(sum(label.word));
+    }
+    Interval slope;
+    for (Index t = 0; t < document_.net.triangles.size(); ++t) {
+      Corners corners;
+      for (Index i = 0; i < 3; ++i) corners[i] = on_hyperboloid(net_.corner(3 * t + i));
+      const FlatTriangle triangle(corners);
+      std::vector<std::array<Interval, 3>> heights(steps.size());
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        for (Index dart = 3 * t; dart < 3 * t + 3; ++dart) {
+          heights[k][dart % 3] = Interval(document_.box->directions[k].heights[net_.start(dart)] +
+                                          mpq_class(steps[k][net_.label_number(dart)]));
+        }
+      }
+      Interval of_all;
+      for (std::size_t first = 0; first < steps.size(); first += 4) {
+        const std::size_t last = std::min(first + 4, steps.size());
+        Interval of_group;
+        // With all signs, up to the sign of the sum.
+        for (unsigned signs = 0; signs < 1U << (last - first - 1); ++signs) {
+          std::array<Interval, 3> sum;
+          for (std::size_t k = first; k < last; ++k) {
+            const bool minus = (signs >> (k - first) & 1U) != 0;
+            for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + (minus ? -heights[k][i] : heights[k][i]);
+          }
+          of_group = max(of_group, triangle.slope(sum));
+        }
+        of_all = of_all + of_group;
+      }
+      slope = max(slope, of_all);
+    }
+    const Interval distance = 2 * Interval::pi() * Interval(document_.box->radius) * slope;
+    if (!std::isfinite(distance.upper())) give_up("slopes of a box are too great");
+    if (distance.upper() != 0) distance_ = distance;
   }
 
   /// Lemma 34; λ_0 is one of those that the matrix counts.
@@ -328,6 +412,7 @@ class EigenvalueRules {
   NetRules<R>& net_;
   long most_values_;
   LineBundle bundle_;
+  std::optional<Interval> distance_;  ///< In a box: of roots of eigenvalues from those in its centre.
   std::map<mpq_class, Inertia::Turn> turns_;
 };
 

@@ -80,6 +80,12 @@ FlatTriangle::FlatTriangle(const Corners& corners) {
   spread_ = mean_square_ / 2 + sqrt(square(mean_square_) / 4 - (4 * sum - square(area_)) / 36);
 }
 
+Interval FlatTriangle::slope(const std::array<Interval, 3>& values) const {
+  Interval sum;
+  for (std::size_t k = 0; k < 3; ++k) sum = sum + cotangents_[k] * square(values[(k + 1) % 3] - values[(k + 2) % 3]);
+  return cosh_ * sqrt(sum / (2 * area_));
+}
+
 Interval FlatTriangle::interpolation() const {
   const Interval constant(mpq_class(1893, 10000));
   return square(constant) * max(max(squares_[0], squares_[1]), squares_[2]) * cosh_ * (1 + radius_);

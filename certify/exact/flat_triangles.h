@@ -68,6 +68,8 @@ class FlatTriangle {
   /// Throws TooLarge unless there is certainly a circumscribed circle.
   explicit FlatTriangle(const Corners& corners);
 
+  /// Of |∇f| on T, f linear on the flat triangle with these values in the corners, a bound (Lemma 37.10).
+  [[nodiscard]] Interval slope(const std::array<Interval, 3>& values) const;
   /// 0.1893² l² C(1 + R) of Lemma 33.
   [[nodiscard]] Interval interpolation() const;
   /// Of 𝒜 and 𝒩, by the values in the midpoints of the sides opposite to corners 0, 1, 2.

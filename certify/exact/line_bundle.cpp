@@ -23,23 +23,11 @@ LineBundle::LineBundle(std::vector<mpq_class> phases, const NetStructure& net)
     : phases_(std::move(phases)), net_(net) {}
 
 void LineBundle::check() const {
-  const auto is_integer = [](const mpq_class& x) { return x.get_den() == 1; };
-  for (Index s = 0; s < phases_.size(); ++s) {
-    if (!is_integer(phases_[s] + phases_[net_.partner(s)]))
-      throw Refutation{"the phases of " + net_.side_name(s) + " and its partner do not add up to an integer"};
-  }
-  std::vector<bool> seen(phases_.size());
-  for (Index first = 0; first < phases_.size(); ++first) {
-    if (seen[first]) continue;
+  each_relation(net_, [&](const std::vector<Index>& sides, const std::string& name) {
     mpq_class sum;
-    // Across the side that leaves a corner, to the next corner of the same vertex.
-    for (Index s = first; !seen[s]; s = net_.side_after(net_.partner(s))) {
-      seen[s] = true;
-      sum += phases_[s];
-    }
-    if (!is_integer(sum))
-      throw Refutation{"the phases around " + net_.corner_name(first) + " do not add up to an integer"};
-  }
+    for (const Index s : sides) sum += phases_[s];
+    if (sum.get_den() != 1) throw Refutation{"the phases of " + name + " do not add up to an integer"};
+  });
 }
 
 Inertia::Values LineBundle::values() const {

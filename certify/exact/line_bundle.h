@@ -10,6 +10,25 @@
 
 namespace epsnet::exact {
 
+/// The sides whose numbers must add up to one of the group: those of a pair, or those that are crossed around a corner.
+/// Calls visit(sides, name) for each of these sets.
+template <class Visit>
+void each_relation(const NetStructure& net, const Visit& visit) {
+  for (Index s = 0; s < net.sides(); ++s)
+    visit(std::vector<Index>{s, net.partner(s)}, net.side_name(s) + " and its partner");
+  std::vector<bool> seen(net.sides());
+  for (Index first = 0; first < net.sides(); ++first) {
+    if (seen[first]) continue;
+    std::vector<Index> around;
+    // Across the side that leaves a corner, to the next corner of the same vertex.
+    for (Index s = first; !seen[s]; s = net.side_after(net.partner(s))) {
+      seen[s] = true;
+      around.push_back(s);
+    }
+    visit(around, "what is crossed around " + net.corner_name(first));
+  }
+}
+
 /// A flat line bundle by the phases of the sides, in turns, and its sections on the halved triangles (docs/proof.md,
 /// section 17.3). In each triangle they are functions in its frame. All phases are exact, modulo 1.
 class LineBundle {

@@ -155,8 +155,13 @@ NumberField::NumberField(const std::vector<mpz_class>& f, const std::array<mpq_c
 
 Ball NumberField::root(slong bits) const {
   const std::lock_guard lock(mutex_);
-  const auto known = roots_.lower_bound(bits);
-  if (known != roots_.end()) return known->second;
+  // Twice as many bits each time, so that neither the ball nor the work depends on what was asked for before.
+  while (roots_.rbegin()->first < bits) refine();
+  return roots_.lower_bound(bits)->second;
+}
+
+void NumberField::refine() const {
+  const slong bits = 2 * roots_.rbegin()->first;
   Ball x = roots_.rbegin()->second;
   // α = m − f(m)/f′(y) for any m and some y between m and α: each step at least halves the error, near the end squares
   // it; unless f(m) is not known well enough, as large coefficients cancel.
@@ -172,7 +177,6 @@ Ball NumberField::root(slong bits) const {
     }
   }
   roots_.emplace(bits, x);
-  return x;
 }
 
 Ball NumberField::value(const Polynomial& x) const {

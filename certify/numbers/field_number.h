@@ -48,13 +48,16 @@ class NumberField {
  private:
   /// α to so many bits after the point.
   [[nodiscard]] Ball root(slong bits) const;
+  /// Makes the next of the roots.
+  void refine() const;
 
   Polynomial f_;
   std::array<mpq_class, 2> between_;
   Polynomial derivative_;
   Budget budget_;
   mutable std::mutex mutex_;
-  mutable std::map<slong, Ball> roots_;  ///< By bits; the derivative is known to within a third on each of them.
+  /// By bits, each twice the ones before; the derivative is known to within a third on each of them.
+  mutable std::map<slong, Ball> roots_;
 };
 
 /// The number re + im·i; the degrees are less than that of the field. The field must outlive the number.

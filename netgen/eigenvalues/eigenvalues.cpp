@@ -16,6 +16,7 @@
 
 #include "certify/numbers/inertia.h"
 #include "certify/numbers/parallel.h"
+#include "netgen/eigenvalues/character_box.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/eigenvalues/local_functions.h"
 #include "netgen/lifts/lifts.h"
@@ -58,6 +59,9 @@ void check(const EigenvaluesOptions& options, std::uint32_t genus) {
     throw std::invalid_argument("digits is not from 1 to 10");
   if (!options.phases.empty() && options.digits.value_or(kDigitsOfMatrices) > kMostDigitsWithPhases)
     throw std::invalid_argument("digits is not from 1 to 3, and with phases there are no more");
+  if (options.box && options.phases.empty()) throw std::invalid_argument("box is given without phases");
+  if (options.box && (*options.box <= 0 || *options.box > Rational(1, 2)))
+    throw std::invalid_argument("box is not more than 0 and at most 1/2");
   if (!options.epsilon) return;
   const auto epsilon = static_cast<double>(options.epsilon->value());
   if (many_digits(options) && epsilon > kGreatestEpsilon)
@@ -622,7 +626,9 @@ EigenvaluesDocument unproved::eigenvalues(const Surface& surface, const Eigenval
   std::vector<Search> searches;
   searches.emplace_back(net, options, phases, certify::thread_count(options.threads));
   run_all(net, searches, options);
-  return searches.front().document();
+  EigenvaluesDocument result = searches.front().document();
+  if (options.box) widen(result, CharacterDirections(surface, net.geometry()), *options.box);
+  return result;
 }
 
 Certified<EigenvaluesDocument> eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {

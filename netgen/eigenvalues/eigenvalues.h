@@ -30,6 +30,9 @@ struct EigenvaluesOptions {
   /// are those of functions on the plane with f(γz) = χ(γ) f(z), from λ₀(χ) on, which is 0 for χ = 1 alone; `digits` is
   /// at most 3, and 2 by default.
   std::vector<Rational> phases = {};
+  /// With phases: what is found holds for all characters whose phases are at most so many turns from these, each of the
+  /// 2g; more than 0 and at most 1/2.
+  std::optional<Rational> box = {};
   unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
   Progress progress = {};  ///< Called occasionally, if given.
 };
@@ -76,5 +79,24 @@ struct BandsOptions {
 [[nodiscard]] std::vector<std::vector<certify::Interval>> bands(const Surface& surface,
                                                                 const std::vector<TorusPoint>& points,
                                                                 const BandsOptions& options = {});
+
+/// Options of `gap_outside`.
+struct GapOptions {
+  std::optional<Length> epsilon = {};  ///< Of the net; 0.4 by default.
+  std::size_t most = 1'000'000;        ///< At most so many boxes.
+  unsigned threads = 0;                ///< 0: as many as the machine has cores. The result is the same for any number.
+  Progress progress = {};              ///< Called occasionally, if given.
+  /// Called for each box with its number and its document, which is proved, one after the other in any order.
+  std::function<void(std::size_t, const certify::EigenvaluesDocument&)> each = {};
+};
+
+/// Proves λ₀(χ) ≥ bound for all characters χ, but those of which all 2g phases are at most `radius` from an integer: by
+/// boxes of characters that cover them, or the inverse ones, which have the same eigenvalues. Each box has a document
+/// that is proved. Returns the number of boxes. Deterministic.
+///
+/// Throws NetError if it is not proved: if it takes too many boxes, or λ₀ seems to be less somewhere, which it names;
+/// LimitError for genus 5 and more; std::invalid_argument unless 0 < radius < 1/2 and 0 < bound ≤ 10⁴. Time is that of
+/// one matrix for each box, and the number of boxes grows as a power 2g of how near the bound is.
+std::size_t gap_outside(const Surface& surface, const Rational& radius, double bound, const GapOptions& options = {});
 
 }  // namespace epsnet

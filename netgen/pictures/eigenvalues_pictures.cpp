@@ -39,6 +39,7 @@ Bounds bounds_of(const EigenvaluesDocument& document) {
     result.least.push_back({row.in.upper, count});
   }
   result.most.push_back({document.next, count});
+  if (document.box) return result;  // Other rows are of its centre.
   for (const EigenvaluesDocument::AtMost& row : document.at_most) result.most.push_back({row.below, row.count});
   for (const EigenvaluesDocument::AtLeast& row : document.at_least) result.least.push_back({row.below, row.count});
   return result;
@@ -207,6 +208,7 @@ EigenvalueCount eigenvalues_below(const EigenvaluesDocument& document, double x)
     at_least(row.in.upper < x, count);
   }
   at_most(document.next >= x, count);
+  if (document.box) return result;  // Other rows are of its centre.
   for (const EigenvaluesDocument::AtMost& row : document.at_most) at_most(row.below >= x, row.count);
   for (const EigenvaluesDocument::AtLeast& row : document.at_least) at_least(row.below <= x, row.count);
   return result;

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -19,8 +20,9 @@
 #include "netgen/program/files.h"
 #include "netgen/surfaces/characters.h"
 
-/// The commands bands and lattice: eigenvalues with phases, of functions on the plane along a path through the torus of
-/// characters, each point with its proof; and of functions at the nodes of a graph.
+/// The commands bands, gap and lattice: eigenvalues with phases, of functions on the plane along a path through the
+/// torus of characters, each point with its proof; a lower bound away from 0, by boxes; and of functions at the nodes
+/// of a graph.
 
 namespace epsnet::program {
 namespace {
@@ -135,6 +137,19 @@ std::string bands_text(const std::vector<TorusPoint>& points,
   return out.str();
 }
 
+/// What adds each document to the files to be written, into a folder.
+std::function<void(std::size_t, const certify::EigenvaluesDocument&)> keeper(const std::string& folder,
+                                                                             const std::string& name,
+                                                                             std::vector<NewFile>& files) {
+  if (!std::filesystem::is_directory(folder)) throw JobError("--keep: there is no folder " + folder);
+  return [=, &files](std::size_t i, const certify::EigenvaluesDocument& document) {
+    std::ostringstream text;
+    certify::write_file(document, text);
+    files.push_back({std::filesystem::path(folder) / (name + std::to_string(i) + ".json"),
+                     [text = std::move(text).str()](std::ostream& out) { out << text; }});
+  };
+}
+
 void find_bands(const BandsRequest& request) {
   check_files({{"SURFACE", request.surface}, {"--path", request.path}},
               {{"--output", request.output, FileType::text}, {"--svg", request.svg, FileType::svg}});
@@ -146,15 +161,7 @@ void find_bands(const BandsRequest& request) {
   if (request.digits > 0) options.digits = request.digits;
   if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
   std::vector<NewFile> files;
-  if (!request.keep.empty()) {
-    if (!std::filesystem::is_directory(request.keep)) throw JobError("--keep: there is no folder " + request.keep);
-    options.each = [&](std::size_t i, const certify::EigenvaluesDocument& document) {
-      std::ostringstream text;
-      certify::write_file(document, text);
-      files.push_back({std::filesystem::path(request.keep) / ("point-" + std::to_string(i) + ".json"),
-                       [text = std::move(text).str()](std::ostream& out) { out << text; }});
-    };
-  }
+  if (!request.keep.empty()) options.each = keeper(request.keep, "point-", files);
   std::vector<std::vector<certify::Interval>> found;
   {
     ProgressLine progress;
@@ -231,6 +238,83 @@ void add_bands_command(CLI::App& app, Job& chosen) {
       "  epsnet bands s.json --between G,1/2:0:0:0,1/2:1/2:1/2:1/2,G --steps 10 -o bands.csv --svg bands.svg\n"
       "  epsnet bands s.json --path points.txt --count 8 --keep files && certify files/point-0.json");
   command->callback([&chosen, shared] { chosen = [shared] { find_bands(*shared); }; });
+}
+
+namespace {
+
+struct GapRequest {
+  std::string surface;
+  std::string outside;
+  std::string at_least;
+  std::size_t most = GapOptions().most;
+  std::optional<std::string> epsilon;
+  std::string keep;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+void find_gap(const GapRequest& request) {
+  check_files({{"SURFACE", request.surface}}, {});
+  const Rational radius = parse_torus_point("--outside", request.outside).front();
+  if (radius <= 0 || radius >= Rational(1, 2))
+    throw UsageError("--outside: expected a number of turns between 0 and 1/2, not " +
+                     certify::in_quotes(request.outside));
+  const std::optional<double> bound = certify::parse_binary64(with_leading_zero(request.at_least));
+  constexpr double kGreatest = 10'000;
+  if (!bound || !(*bound > 0 && *bound <= kGreatest)) {
+    throw UsageError("--at-least: expected a positive decimal of at most 10000, not " +
+                     certify::in_quotes(request.at_least));
+  }
+  const Surface surface = read_surface_input(request.surface);
+  GapOptions options{.most = request.most, .threads = request.threads};
+  if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
+  std::vector<NewFile> files;
+  if (!request.keep.empty()) options.each = keeper(request.keep, "box-", files);
+  std::size_t boxes = 0;
+  {
+    ProgressLine progress;
+    options.progress = progress.shower();
+    boxes = gap_outside(surface, radius, *bound, options);
+  }
+  write_outputs(std::move(files));
+  Report report = verified_report();
+  report.text += "lambda_0 is at least " + certify::shortest(*bound) +
+                 " for all phases but those that are all at most " + radius.str() + " from an integer\n" +
+                 std::to_string(boxes) +
+                 " boxes of phases cover half of the torus of characters, the others are inverse\n";
+  report.json["outside"] = radius.str();
+  report.json["at_least"] = *bound;
+  report.json["boxes"] = boxes;
+  write_report(report, request.json, false);
+}
+
+}  // namespace
+
+void add_gap_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GapRequest>();
+  CLI::App* command = app.add_subcommand("gap",
+                                         "That lambda_0 with phases is at least a number, wherever one of the phases "
+                                         "is far from 0: by boxes of phases, each proved.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  command
+      ->add_option("--outside", shared->outside, "wherever one of the 2g phases is farther than that from an integer")
+      ->option_text("R")
+      ->required();
+  command->add_option("--at-least", shared->at_least, "lambda_0 is at least that")->option_text("X")->required();
+  command->add_option("--most", shared->most, "with no more boxes than that")
+      ->check(integer_between(1, 100'000'000))
+      ->option_text("N [" + std::to_string(shared->most) + "]");
+  command->add_option("--epsilon", shared->epsilon, "of the net [0.4]")->option_text("E");
+  command->add_option("--keep", shared->keep, "write the eigenvalues file of each box into this folder, for certify")
+      ->option_text("FOLDER");
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "The phases are those of epsnet bands --help. The number of boxes grows as a power 2g of how near X is to the "
+      "least value. That the boxes cover the torus is the program's own count; certify verifies each of them.\n\n"
+      "Example:\n  epsnet surface regular --genus 2 -o s.json\n"
+      "  epsnet gap s.json --outside 1/4 --at-least 0.001");
+  command->callback([&chosen, shared] { chosen = [shared] { find_gap(*shared); }; });
 }
 
 namespace {

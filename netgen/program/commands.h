@@ -53,6 +53,7 @@ void add_mapping_class_command(CLI::App& app, Job& chosen);
 void add_maximize_command(CLI::App& app, Job& chosen);
 void add_eigenvalues_command(CLI::App& app, Job& chosen);
 void add_bands_command(CLI::App& app, Job& chosen);
+void add_gap_command(CLI::App& app, Job& chosen);
 void add_lattice_command(CLI::App& app, Job& chosen);
 void add_isometries_command(CLI::App& app, Job& chosen);
 void add_isometric_command(CLI::App& app, Job& chosen);

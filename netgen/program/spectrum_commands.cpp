@@ -245,6 +245,7 @@ struct EigenvaluesRequest {
   int digits = 0;
   std::optional<std::string> epsilon;
   std::optional<std::string> phases;
+  std::optional<std::string> box;
   std::string output;
   std::string svg;
   bool json = false;
@@ -290,6 +291,9 @@ std::string eigenvalues_text(const EigenvaluesDocument& document) {
     for (const std::string& phase : document.phases) out << ' ' << phase;
     out << '\n';
   }
+  if (document.box)
+    out << "and all that are at most " << document.box->radius << " away in each of "
+        << certify::counted(document.box->directions.size(), "direction", "directions") << '\n';
   std::uint64_t first = first_index(document);
   for (std::size_t row = 0; row < document.eigenvalues.size(); ++row) {
     const auto& [in, count] = document.eigenvalues[row];
@@ -308,6 +312,7 @@ std::string eigenvalues_text(const EigenvaluesDocument& document) {
 Json eigenvalues_json(const EigenvaluesDocument& document) {
   Json result = Json::object();
   if (!document.phases.empty()) result["phases"] = document.phases;
+  if (document.box) result["box"] = document.box->radius;
   result["eigenvalues"] = Json::array();
   std::uint64_t first = first_index(document);
   for (const auto& [in, count] : document.eigenvalues) {
@@ -344,6 +349,13 @@ EigenvaluesOptions options_of(const EigenvaluesRequest& request) {
   if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
   if (!request.phases) return options;
   options.phases = parse_torus_point("--phases", *request.phases);
+  if (request.box) {
+    options.box = parse_torus_point("--box", *request.box).front();
+    if (*options.box <= 0 || *options.box > Rational(1, 2)) {
+      throw UsageError("--box: expected a number of turns, more than 0 and at most 1/2, not " +
+                       certify::in_quotes(*request.box));
+    }
+  }
   if (request.digits > 3) throw UsageError("--digits: at most 3 with --phases, not " + std::to_string(request.digits));
   return options;
 }
@@ -405,13 +417,19 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
       ->option_text("D");
   command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default at most 0.6")
       ->option_text("E");
+  CLI::Option* phases =
+      command
+          ->add_option(
+              "--phases", shared->phases,
+              "of functions f on the plane with f(gz) = c(g)f(z): the phases of c, 2g numbers of turns with commas "
+              "between them, such as 0,1/3,0.25,-1/2, those of the sides that epsnet bands --help says; from "
+              "lambda_0 on, with up to 3 digits, 2 by default")
+          ->option_text("T,...");
   command
-      ->add_option(
-          "--phases", shared->phases,
-          "of functions f on the plane with f(gz) = c(g)f(z): the phases of c, 2g numbers of turns with commas "
-          "between them, such as 0,1/3,0.25,-1/2, those of the sides that epsnet bands --help says; from "
-          "lambda_0 on, with up to 3 digits, 2 by default")
-      ->option_text("T,...");
+      ->add_option("--box", shared->box,
+                   "intervals that hold for all phases at most so many turns from these, each of the 2g")
+      ->option_text("R")
+      ->needs(phases);
   add_file(*command, "-o,--output", shared->output,
            "the eigenvalues file to write, for certify; \"-\" is standard output");
   add_file(*command, "--svg", shared->svg,

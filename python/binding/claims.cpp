@@ -206,8 +206,9 @@ void bind_eigenvalues(py::module_& module) {
       .def_static("find",
                   [](const Surface& surface, std::optional<std::uint32_t> count, std::optional<double> below,
                      std::optional<int> digits, const std::optional<std::string>& epsilon, const TorusPoint& phases,
-                     unsigned threads, const py::object& callback) {
-                    EigenvaluesOptions options{.below = below, .digits = digits, .phases = phases, .threads = threads};
+                     const std::optional<Rational>& box, unsigned threads, const py::object& callback) {
+                    EigenvaluesOptions options{
+                        .below = below, .digits = digits, .phases = phases, .box = box, .threads = threads};
                     if (count) options.count = *count;
                     if (epsilon) options.epsilon = Length(*epsilon);
                     const auto search = [surface, options](const Progress& progress) {
@@ -223,6 +224,9 @@ void bind_eigenvalues(py::module_& module) {
            })
       .def_property_readonly("net", [](const SharedEigenvalues& self) { return SharedNet(self->net); })
       .def_property_readonly("phases", [](const SharedEigenvalues& self) { return self->phases; })
+      .def_property_readonly(
+          "box",
+          [](const SharedEigenvalues& self) { return self->box ? std::optional(self->box->radius) : std::nullopt; })
       .def("eigenfunction",
            [](const SharedEigenvalues& self, std::size_t index) {
              const certify::Interval in = self->eigenfunctions[eigenfunction_place(*self, index).row].in;
@@ -258,6 +262,18 @@ void bind_eigenvalues(py::module_& module) {
     };
     return interruptible(search, callback);
   });
+  module.def("gap_outside",
+             [](const Surface& surface, const Rational& radius, double at_least, std::size_t most,
+                const std::optional<std::string>& epsilon, unsigned threads, const py::object& callback) {
+               GapOptions options{.most = most, .threads = threads};
+               if (epsilon) options.epsilon = Length(*epsilon);
+               const auto search = [surface, radius, at_least, options](const Progress& progress) {
+                 GapOptions with_progress = options;
+                 with_progress.progress = progress;
+                 return gap_outside(surface, radius, at_least, with_progress);
+               };
+               return interruptible(search, callback);
+             });
   module.def("lattice_matrix", [](const Surface& surface, bool faces, const TorusPoint& turns) {
     return interruptible(
         [=] { return lattice_matrix(surface, faces ? GraphNodes::faces : GraphNodes::vertices, turns); });

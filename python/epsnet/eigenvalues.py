@@ -120,6 +120,11 @@ class Eigenvalues(Drawn, Document, Sequence[EigenvalueEnclosure]):
         """The phase of each side of the surface, in turns; empty for the eigenvalues of functions on the surface."""
         return tuple(Fraction(phase) for phase in self._core.phases)
 
+    @cached_property
+    def box(self) -> Optional[Fraction]:
+        """The intervals hold for all phases that are at most so many turns from these, each of the 2g; None: for these alone."""
+        return None if self._core.box is None else Fraction(self._core.box)
+
     def count_below(self, x: Number) -> Tuple[int, Optional[int]]:
         """At least and at most so many eigenvalues are less than x, which is rounded to a float; None if nothing is known of how many at most."""
         return self._core.count_below(float(min(max(as_fraction(x, "x"), Fraction(-(10**9))), Fraction(10**9))))
@@ -160,12 +165,10 @@ class Eigenvalues(Drawn, Document, Sequence[EigenvalueEnclosure]):
         return f"<Eigenvalues: {counts}{others}{'' if self.proved else ' (not proved)'}>"
 
 
-def _below(x: Optional[Number]) -> Optional[float]:
-    if x is None:
-        return None
-    value = as_fraction(x, "below")
+def _below(x: Number, name: str) -> float:
+    value = as_fraction(x, name)
     if not 0 < value <= 10**4 or float(value) == 0:
-        refuse("a positive number of at most 10000", x, "below")
+        refuse("a positive number of at most 10000", x, name)
     return float(value)
 
 
@@ -225,6 +228,24 @@ def torus_point(surface: "Surface", x: Any, name: str) -> List[Fraction]:
     return point
 
 
+def _turns(x: Number, name: str) -> Fraction:
+    """A distance of phases."""
+    value = as_fraction(x, name)
+    if not 0 < value < Fraction(1, 2):
+        refuse("a number of turns between 0 and 1/2", x, name)
+    return value
+
+
+def gap(surface: "Surface", outside: Number, at_least: Number, most: int, epsilon: Optional[Number], threads: int, progress: Progress) -> int:
+    radius = _turns(outside, "outside")
+    bound = _below(at_least, "at_least")
+    number = as_index(most, "most", 1, 10**8)
+    length = None if epsilon is None else length_text(epsilon, "epsilon")
+    threads = as_threads(threads)
+    with Shower(progress) as callback:
+        return _epsnet.gap_outside(surface._core, radius, bound, number, length, threads, callback)
+
+
 def side_phases(surface: "Surface", phases: Sequence[Number]) -> Tuple[Fraction, ...]:
     return tuple(_epsnet.phases_of_sides(surface._core, torus_point(surface, phases, "phases")))
 
@@ -247,16 +268,19 @@ def bands(
 
 def eigenvalues(
     surface: "Surface", count: Optional[int], below: Optional[Number], digits: Optional[int], epsilon: Optional[Number],
-    phases: Optional[Sequence[Number]], threads: int, progress: Progress
+    phases: Optional[Sequence[Number]], box: Optional[Number], threads: int, progress: Progress
 ) -> Eigenvalues:
     number = None if count is None else as_index(count, "count", 1, 1000)
-    bound = _below(below)
+    bound = None if below is None else _below(below, "below")
     if count is not None and below is not None:
         raise ArgumentError("not together with count", place="below")
     precision = None if digits is None else as_index(digits, "digits", 1, 10 if phases is None else 3)
     length = None if epsilon is None else length_text(epsilon, "epsilon")
     point = [] if phases is None else torus_point(surface, phases, "phases")
+    if box is not None and phases is None:
+        raise ArgumentError("only with phases", place="box")
+    around = None if box is None else _turns(box, "box")
     threads = as_threads(threads)
     with Shower(progress) as callback:
-        core, certificate = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, point, threads, callback)
+        core, certificate = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, point, around, threads, callback)
     return Eigenvalues(core, surface, Certificate(certificate))

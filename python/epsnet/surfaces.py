@@ -22,7 +22,7 @@ from ._progress import Progress
 from .curves import ClosedCurves, Curve, curve, curves, fills
 from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, PointLoop, Radius, cover, distance, eccentricity, injectivity_radius
 from .domains import DirichletDomain, FundamentalPolygon
-from .eigenvalues import Bands, Eigenvalues, bands, eigenvalues, side_phases, torus_point
+from .eigenvalues import Bands, Eigenvalues, bands, eigenvalues, gap, side_phases, torus_point
 from .geodesics import ClosedGeodesics, LocalMaximum, Systole, ThickThin, local_maximum, spectrum, systole, thick_thin
 from .graphs import Lattice, SurfaceGraph, graph_of, lattice
 from .groups import FundamentalGroup
@@ -864,7 +864,7 @@ class Surface(Drawn, Immutable):
 
     def eigenvalues(
         self, count: Optional[int] = None, *, below: Optional[Number] = None, digits: Optional[int] = None, epsilon: Optional[Number] = None,
-        phases: Optional[Sequence[Number]] = None, threads: int = 0, progress: Progress = None
+        phases: Optional[Sequence[Number]] = None, box: Optional[Number] = None, threads: int = 0, progress: Progress = None
     ) -> Eigenvalues:
         """The first ``count`` eigenvalues of the Laplacian, 10 by default and at most 1000, with multiplicity, in proved intervals, and those
         that cannot be told apart from the last one; or, with ``below``, all that are less than this number, at most 10000.
@@ -873,7 +873,8 @@ class Surface(Drawn, Immutable):
         much less time; from 3 on there are eigenfunctions. ``epsilon``: of the net on which they are counted; by default at most 0.6.
 
         ``phases``: 2g numbers of turns, the phases of a character χ of the group on the sides ``character_sides``. The eigenvalues are then those
-        of functions f on the plane with f(γz) = χ(γ) f(z), from λ_0 on, with up to 3 digits, 2 by default.
+        of functions f on the plane with f(γz) = χ(γ) f(z), from λ_0 on, with up to 3 digits, 2 by default. ``box``: the intervals hold for all
+        phases that are at most so many turns from these, each of the 2g.
 
         NetError if they are not found, LimitError if it takes too many triangles.
 
@@ -882,7 +883,7 @@ class Surface(Drawn, Immutable):
         >>> [(row.first, row.count, value in row.interval) for row, value in zip(first, (3.8388872588, 5.3536013412))]
         [(1, 3, True), (4, 4, True)]
         """
-        return eigenvalues(self, count, below, digits, epsilon, phases, threads, progress)
+        return eigenvalues(self, count, below, digits, epsilon, phases, box, threads, progress)
 
     @property
     def character_sides(self) -> Tuple[int, ...]:
@@ -926,6 +927,25 @@ class Surface(Drawn, Immutable):
         [False, False, True]
         """
         return bands(self, path, steps, count, digits, epsilon, threads, progress)
+
+    def gap(
+        self, outside: Number, at_least: Number, *, most: int = 1_000_000, epsilon: Optional[Number] = None, threads: int = 0,
+        progress: Progress = None
+    ) -> int:
+        """Proves that λ_0 with phases is at least a number wherever one of the 2g phases is farther than ``outside`` turns from an integer: by boxes
+        of phases, each with a proof as that of ``eigenvalues(phases=…, box=…)``. Returns how many boxes cover half of the torus; the inverse
+        characters have the same eigenvalues.
+
+        ``most``: no more boxes than that; their number grows as a power 2g of how near the bound is. ``epsilon``: of the net, by default 0.4.
+
+        NetError if it is not proved, LimitError for genus 5 and more.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).gap("3/8", "0.001", most=100)
+        Traceback (most recent call last):
+        epsnet.errors.NetError: it takes more than 100 boxes: the bound is near the least value, or the radius small
+        """
+        return gap(self, outside, at_least, most, epsilon, threads, progress)
 
     # Distances.
 

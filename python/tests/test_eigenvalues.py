@@ -132,6 +132,29 @@ def test_bands_are_the_eigenvalues_at_points_of_a_path(bolza):
     assert groups.count("band") == 2 and bands.svg(300) != bands.svg()
 
 
+def test_a_box_holds_for_phases_near_these(bolza, rough, tmp_path):
+    box = bolza.eigenvalues(2, digits=2, phases=("1/2", 0, 0, 0), box="0.01")
+    alone = bolza.eigenvalues(2, digits=2, phases=("0.49", "0.01", "-0.01", 0))
+    assert box.proved and box.box == Fraction(1, 100) and alone.box is None and rough.box is None
+    assert box[0].interval.lower < alone[0].interval.lower and alone[0].interval.upper < box[0].interval.upper
+    path = str(tmp_path / "box.json")
+    box.save(path)
+    assert epsnet.load(path) == box and epsnet.load(path).box == box.box
+    with pytest.raises(epsnet.ArgumentError, match="^box: only with phases"):
+        bolza.eigenvalues(2, box="0.01")
+    for wrong in (0, "1/2", -1, "x"):
+        with pytest.raises(epsnet.ArgumentError, match="^box: "):
+            bolza.eigenvalues(2, phases=(0, 0, 0, 0), box=wrong)
+
+
+def test_a_gap_that_is_not_there_is_an_error(bolza):
+    with pytest.raises(epsnet.NetError, match="^not proved at the phases "):
+        bolza.gap("3/8", 2, epsilon=1)
+    for wrong in ({"outside": 0}, {"outside": "1/2"}, {"at_least": 0}, {"at_least": "1e5"}, {"most": 0}):
+        with pytest.raises(epsnet.ArgumentError, match=f"^{next(iter(wrong))}: "):
+            bolza.gap(**{"outside": "3/8", "at_least": 0.1, **wrong})
+
+
 def test_points_that_are_none_are_errors(bolza):
     with pytest.raises(epsnet.ArgumentError, match="^phases: expected 4 phases, those of the sides 0, 1, 2, 3, not "):
         bolza.eigenvalues(phases=(0, 0))

@@ -36,6 +36,7 @@ NOT_IN_PYTHON = {
     ("convert", "--surface"): "Surface.load(path).save",
     ("draw", "--eigenfunction"): "Eigenvalues.eigenfunction(index).svg",
     ("bands", "--keep"): "Surface.eigenvalues(phases=point).save",
+    ("gap", "--keep"): "Surface.eigenvalues(below=x, phases=centre, box=radius).save",
     ("draw", "--png"): "a browser or a notebook shows SVG; the module does not link the library that the program draws with",
 }
 # Commands that are other things in Python, and what.
@@ -68,6 +69,7 @@ FUNCTIONS = {
     "local-maximum": (Surface.local_maximum, {}),
     "eigenvalues": (Surface.eigenvalues, {}),
     "bands": (Surface.bands, {"--between": "path"}),
+    "gap": (Surface.gap, {}),
     "lattice": (Surface.lattice, {}),
     "isometries": (Surface.isometries, {}),
     "isometric": (Surface.isometric_to, {}),

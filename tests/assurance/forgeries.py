@@ -2826,6 +2826,72 @@ def sections_with_phases_of_tiles():
     return bundle_of_klein(phases)
 
 
+def in_a_box(change, name="octagon-sections-in-a-box"):
+    document = eigenvalues(name)
+    change(document)
+    return document
+
+
+@disguise()
+def box_with_heights_from_elsewhere():
+    """All heights of a direction are a quarter more."""
+    def change(document):
+        direction = document["box"]["directions"][2]
+        direction["heights"] = [height + 0.25 for height in direction["heights"]]
+    return in_a_box(change)
+
+
+@refuted("enclosures")
+def box_of_half_a_turn():
+    """The radius is fifty times as large; the intervals are those of a hundredth of a turn."""
+    return in_a_box(lambda document: document["box"].update(radius="1/2"))
+
+
+@refuted("enclosures")
+def box_with_the_intervals_of_its_centre():
+    """The intervals are those of the counts, for one character."""
+    def change(document):
+        for row, least, most in zip(document["eigenvalues"], document["at_least"], document["at_most"]):
+            row["in"] = [most["below"], least["below"]]
+    return in_a_box(change)
+
+
+@refuted("enclosures")
+def box_without_heights():
+    """All heights are 0: all of a step is made in the triangles at a side."""
+    def change(document):
+        for direction in document["box"]["directions"]:
+            direction["heights"] = [0] * len(direction["heights"])
+    return in_a_box(change)
+
+
+@refuted("box")
+def box_with_a_step_on_one_side_only():
+    """A step across a side, and none on the way back, so that all heights may be 0."""
+    def change(document):
+        direction = document["box"]["directions"][0]
+        direction["steps"] = [1] + [0] * 7
+    return in_a_box(change)
+
+
+@malformed()
+def box_of_no_phases():
+    """A box of functions."""
+    return in_a_box(lambda document: document.pop("phases"))
+
+
+@malformed()
+def box_of_a_radius_less_than_0():
+    """All numbers t with |t| at most −1/100: none."""
+    return in_a_box(lambda document: document["box"].update(radius="-1/100"))
+
+
+@malformed()
+def box_with_a_direction_too_many():
+    """Five directions on a surface of genus 2."""
+    return in_a_box(lambda document: document["box"]["directions"].append(document["box"]["directions"][0]))
+
+
 @forgery(NOT_MOST)
 def sections_of_a_line_bundle_turned_elsewhere():
     """A third of a turn across side 1 instead of side 0: the eigenvalues are others."""

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <map>
 #include <rapidcheck/gtest.h>
 #include <string>
 #include <utility>
@@ -284,6 +285,26 @@ TEST(NumberFields, TellTheIdentityFromIsometriesThatAreNear) {
       EXPECT_FALSE(is_identity(Isometry<FieldNumber>{scale, step * i}));
     }
   }
+}
+
+/// Compilers evaluate the two sides of an operation in either order, and threads ask in any.
+TEST(NumberFields, TakeAsMuchWorkInAnyOrderOfQuestions) {
+  const auto asked = [](std::vector<slong> precisions) {
+    const NumberField field({-2, 0, 1}, {1, 2}, Budget(1'000'000'000));
+    std::map<slong, std::string> values;
+    for (const slong bits : precisions) {
+      const Precision scope(bits);
+      Polynomial alpha;
+      fmpz_poly_set_coeff_si(alpha.get(), 1, 1);
+      char* text = arb_dump_str(field.value(alpha).get());
+      values[bits] = text;
+      flint_free(text);
+    }
+    return std::pair(field.budget().left(), values);
+  };
+  EXPECT_EQ(asked({32, 40, 100, 500, 2000}), asked({2000, 500, 100, 40, 32}));
+  EXPECT_EQ(asked({500, 32, 2000, 40, 100}), asked({100, 2000, 40, 32, 500}));
+  EXPECT_LT(asked({2000}).first, asked({500}).first);
 }
 
 TEST(NumberFields, TakeTheirWorkOffTheBudget) {

@@ -300,8 +300,9 @@ std::vector<Document> one_for_each_claim() {
     documents[1].relation = ComparisonDocument::Relation::different;
     return documents;
   } else if constexpr (std::is_same_v<Document, EigenvaluesDocument>) {
-    std::vector<Document> documents(2);
-    documents[1].phases = {"0"};
+    std::vector<Document> documents(3);
+    documents[1].phases = documents[2].phases = {"0"};
+    documents[2].box.emplace();
     return documents;
   } else if constexpr (requires(Document document) { document.claim; }) {
     std::vector<Document> documents(Fields<typename Document::Claim>::kNames.size());

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <gtest/gtest.h>
 #include <random>
@@ -292,6 +294,194 @@ TEST(Phases, AndEigenfunctionsAreNotInOneFile) {
   Document document = file("octagon-5-with-a-function");
   document.phases = Phases(8, "0");
   EXPECT_EQ(outcome(document), "MALFORMED");
+}
+
+// Boxes of phases. Those of octagon-sections-in-a-box.json are a hundredth of a turn in the four directions of the
+// octagon of octagon-5.json.
+
+Document box() { return file("octagon-sections-in-a-box"); }
+
+std::string changed_box(const std::function<void(Document::Box&)>& change) {
+  Document document = box();
+  change(*document.box);
+  return outcome(document);
+}
+
+/// Of a true file that says less: eigenvalues are not so near to those of the centre.
+Document wider_box() {
+  Document document = box();
+  for (auto& row : document.eigenvalues) row.in = {row.in.lower / 2, row.in.upper * 2};
+  document.next /= 2;
+  return document;
+}
+
+TEST(Boxes, OfTrueFilesAreVerified) {
+  EXPECT_EQ(outcome(box()), "VERIFIED");
+  EXPECT_EQ(outcome(wider_box()), "VERIFIED");
+}
+
+TEST(Boxes, AreSaidInTheClaim) {
+  const std::string claim = certify::check(box(), {.threads = 1}).claim;
+  EXPECT_NE(claim.find("of these phases, or of any within 1/100 turns of them in 4 directions, with"),
+            std::string::npos)
+      << claim;
+}
+
+/// Intervals are as narrow as follows, to some digits: 1 + 10⁻⁹ is the room that the file leaves.
+TEST(Boxes, EachEndOfAnIntervalFollowsFromItsSize) {
+  for (const double factor : {1 + 1e-6, 1 - 1e-6}) {
+    for (std::size_t row = 0; row < box().eigenvalues.size(); ++row) {
+      Document document = box();
+      document.eigenvalues[row].in.lower *= factor;
+      EXPECT_EQ(outcome(document), factor > 1 ? "REFUTED: enclosures" : "VERIFIED") << row;
+      document = box();
+      document.eigenvalues[row].in.upper *= factor;
+      EXPECT_EQ(outcome(document), factor > 1 ? "VERIFIED" : "REFUTED: enclosures") << row;
+    }
+    Document document = box();
+    document.next *= factor;
+    EXPECT_EQ(outcome(document), factor > 1 ? "REFUTED: enclosures" : "VERIFIED");
+  }
+}
+
+TEST(Boxes, OfAGreaterRadiusSayLess) {
+  EXPECT_EQ(changed_box([](auto& b) { b.radius = "0.00999"; }), "VERIFIED");
+  EXPECT_EQ(changed_box([](auto& b) { b.radius = "0.01"; }), "VERIFIED");
+  EXPECT_EQ(changed_box([](auto& b) { b.radius = "10001/1000000"; }), "REFUTED: enclosures");
+  EXPECT_EQ(changed_box([](auto& b) { b.radius = "1e1000"; }), "UNDECIDED: box");
+  EXPECT_EQ(changed_box([](auto& b) { b.radius = "1e-1000"; }), "VERIFIED");
+}
+
+/// Without it the rows say what they say of the centre.
+TEST(Boxes, WithoutSlopesAreTheirCentre) {
+  Document document = box();
+  document.box->directions.clear();
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.eigenvalues[0].in.upper = document.at_least[0].below;
+  document.next = document.at_most.back().below;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  // Of h that is constant, too.
+  document.box->directions = {
+      {std::vector<std::int64_t>(8, 0), std::vector<double>(document.net.vertices.size(), 0.5)}};
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.box->directions[0].heights.back() += 1e-3;
+  EXPECT_EQ(outcome(document), "REFUTED: enclosures");
+}
+
+TEST(Boxes, HaveTheSlopesOfAllDirections) {
+  // A direction less leaves room for another radius.
+  EXPECT_EQ(changed_box([](auto& b) { b.directions.pop_back(); }), "VERIFIED");
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(changed_box([&](auto& b) {
+                for (auto& step : b.directions[k].steps) step *= 2;
+              }),
+              "REFUTED: enclosures")
+        << k;
+    EXPECT_EQ(changed_box([&](auto& b) {
+                for (double& height : b.directions[k].heights) height = 0;
+              }),
+              "REFUTED: enclosures")
+        << k;
+    // A constant changes nothing, and neither does the sign.
+    EXPECT_EQ(changed_box([&](auto& b) {
+                for (double& height : b.directions[k].heights) height += 0x1p-10;
+              }),
+              "VERIFIED")
+        << k;
+    EXPECT_EQ(changed_box([&](auto& b) {
+                for (double& height : b.directions[k].heights) height = -height;
+                for (auto& step : b.directions[k].steps) step = -step;
+              }),
+              "VERIFIED")
+        << k;
+    EXPECT_EQ(changed_box([&](auto& b) {
+                for (double& height : b.directions[k].heights) height = -height;
+              }),
+              "REFUTED: enclosures")
+        << k;
+  }
+}
+
+/// One height that is far from what is around it is seen, wherever it is.
+TEST(Boxes, HaveTheGreatestSlopeOfAllTriangles) {
+  const std::size_t vertices = box().net.vertices.size();
+  for (std::size_t v = 0; v < vertices; ++v)
+    EXPECT_EQ(changed_box([&](auto& b) { b.directions[v % 4].heights[v] += 2; }), "REFUTED: enclosures") << v;
+}
+
+TEST(Boxes, OfHugeHeightsAreUndecided) {
+  EXPECT_EQ(changed_box([](auto& b) { b.directions[1].heights[0] = 1e307; }), "REFUTED: enclosures");
+  EXPECT_EQ(changed_box([](auto& b) {
+              b.directions[1].heights[0] = 1e307;
+              b.radius = "100";
+            }),
+            "UNDECIDED: box");
+}
+
+TEST(Boxes, HaveStepsOfHomomorphisms) {
+  const certify::SurfaceSides sides(box().net.surface);
+  for (std::uint32_t s = 0; s < 8; ++s) {
+    EXPECT_EQ(changed_box([&](auto& b) { ++b.directions[s % 4].steps[s]; }), "REFUTED: box") << s;
+    EXPECT_EQ(changed_box([&](auto& b) {
+                ++b.directions[s % 4].steps[s];
+                ++b.directions[s % 4].steps[sides.partner[s]];
+              }),
+              "REFUTED: box")
+        << s;
+  }
+  Document document = box();
+  ++document.box->directions[2].steps[3];
+  EXPECT_EQ(message(document), "box.directions[2]: the steps of side 3 of tile 0 and its partner do not add up to 0");
+}
+
+TEST(Boxes, HaveStepsOfHomomorphismsAroundVertices) {
+  Document document = klein(Phases(168, "0"));
+  const certify::SurfaceSides sides(document.net.surface);
+  const auto with = [&](const std::vector<std::int64_t>& steps) {
+    document.box = {.radius = "1e-9", .directions = {{steps, std::vector<double>(document.net.vertices.size(), 0)}}};
+    return outcome(document);
+  };
+  // What leads from tile 3 to another one.
+  std::vector<std::int64_t> steps(168, 0);
+  for (std::uint32_t s = 0; s < 168; ++s) {
+    if (sides.tile[s] == 3) ++steps[s];
+    if (sides.tile[sides.partner[s]] == 3) --steps[s];
+  }
+  EXPECT_EQ(with(steps), "VERIFIED");
+  for (const std::uint32_t first : sides.vertices()) {
+    std::vector<std::int64_t> wrong = steps;
+    ++wrong[first];
+    --wrong[sides.partner[first]];
+    EXPECT_EQ(with(wrong), "REFUTED: box");
+    EXPECT_NE(message(document).find("across the sides around vertex"), std::string::npos) << message(document);
+  }
+}
+
+TEST(Boxes, AreOfPhases) {
+  Document document = box();
+  document.phases.clear();
+  EXPECT_EQ(outcome(document), "MALFORMED");
+}
+
+TEST(Boxes, HaveAStepForEachSideAndAHeightForEachVertex) {
+  for (const char* radius : {"0", "-1", "0.0", "x", "", "1/0"})
+    EXPECT_EQ(changed_box([&](auto& b) { b.radius = radius; }), "MALFORMED") << radius;
+  EXPECT_EQ(changed_box([](auto& b) { b.directions[3].steps.pop_back(); }), "MALFORMED");
+  EXPECT_EQ(changed_box([](auto& b) { b.directions[3].steps.push_back(0); }), "MALFORMED");
+  EXPECT_EQ(changed_box([](auto& b) { b.directions[0].heights.pop_back(); }), "MALFORMED");
+  EXPECT_EQ(changed_box([](auto& b) { b.directions[0].heights.push_back(0); }), "MALFORMED");
+  EXPECT_EQ(changed_box([](auto& b) { b.directions.push_back(b.directions[0]); }), "MALFORMED");
+  const auto with_step = [](std::int64_t step) {
+    return changed_box([&](auto& b) {
+      for (auto& direction : b.directions) {
+        direction.steps = {step, 0, 0, 0, -step, 0, 0, 0};
+        std::fill(direction.heights.begin(), direction.heights.end(), 0);
+      }
+    });
+  };
+  EXPECT_EQ(with_step(1'000'000), "REFUTED: enclosures");
+  EXPECT_EQ(with_step(1'000'001), "MALFORMED");
+  EXPECT_EQ(with_step(-1'000'001), "MALFORMED");
 }
 
 }  // namespace

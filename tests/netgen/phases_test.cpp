@@ -1,11 +1,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <random>
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <sstream>
@@ -15,9 +17,12 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/net/numbering.h"
+#include "netgen/eigenvalues/character_box.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/eigenvalues/lattice.h"
+#include "netgen/isometries/isometries.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/characters.h"
@@ -290,34 +295,42 @@ Surface cyclic_cover(const Surface& surface, const TorusPoint& turns, int n) {
   return cover(surface, sheets);
 }
 
-/// Functions on the cover are sums of one with the phases of each power of χ.
+/// Functions on the cover are sums of one with the phases of each power of χ, of order n.
+void expect_those_of_a_cover(const std::string& name, const Surface& surface, int n) {
+  TorusPoint turns = one_phase(surface, Rational(1, n));
+  turns[1] = Rational(-1, n);
+  turns.back() = Rational(1, n);
+  std::vector<Interval> of_powers;
+  double next = HUGE_VAL;
+  for (int power = 0; power < n; ++power) {
+    const EigenvaluesDocument document =
+        unproved::eigenvalues(surface, {.count = 6, .digits = 2, .phases = times(turns, power)});
+    expect_verified(document);
+    const std::vector<Interval> found = intervals(document);
+    of_powers.insert(of_powers.end(), found.begin(), found.end());
+    next = std::min(next, document.next);
+  }
+  std::vector<Interval> of_cover{{0, 0}};
+  for (const Interval& in :
+       intervals(unproved::eigenvalues(cyclic_cover(surface, turns, n), {.count = 8, .digits = 2})))
+    of_cover.push_back(in);
+  // Not more than all powers are known to have.
+  std::erase_if(of_cover, [&](const Interval& in) { return in.upper >= next; });
+  EXPECT_GE(of_cover.size(), 3U) << name << ' ' << n;
+  expect_equal(of_powers, of_cover, name + " " + std::to_string(n));
+}
+
 TEST(PhasedEigenvalues, OfAllPowersAreThoseOfACyclicCover) {
   for (const auto& [name, surface] : {std::pair("octagon", octagon()), std::pair("Bolza", bolza()),
                                       std::pair("Klein", klein()), std::pair("genus 3", of_genus(3))}) {
-    for (const int n : {2, 3}) {
-      TorusPoint turns = one_phase(surface, Rational(1, n));
-      turns[1] = Rational(-1, n);
-      turns.back() = Rational(1, n);
-      std::vector<Interval> of_powers;
-      double next = HUGE_VAL;
-      for (int power = 0; power < n; ++power) {
-        const EigenvaluesDocument document =
-            unproved::eigenvalues(surface, {.count = 6, .digits = 2, .phases = times(turns, power)});
-        expect_verified(document);
-        const std::vector<Interval> found = intervals(document);
-        of_powers.insert(of_powers.end(), found.begin(), found.end());
-        next = std::min(next, document.next);
-      }
-      std::vector<Interval> of_cover{{0, 0}};
-      for (const Interval& in :
-           intervals(unproved::eigenvalues(cyclic_cover(surface, turns, n), {.count = 8, .digits = 2})))
-        of_cover.push_back(in);
-      // Not more than all powers are known to have.
-      std::erase_if(of_cover, [&](const Interval& in) { return in.upper >= next; });
-      EXPECT_GE(of_cover.size(), 3U) << name << ' ' << n;
-      expect_equal(of_powers, of_cover, name + (" " + std::to_string(n)));
-    }
+    for (const int n : {2, 3}) expect_those_of_a_cover(name, surface, n);
   }
+}
+
+TEST(DeepPhasedEigenvalues, OfAllPowersAreThoseOfACyclicCoverOfDegreeFive) {
+  for (const auto& [name, surface] :
+       {std::pair("octagon", octagon()), std::pair("Bolza", bolza()), std::pair("Klein", klein())})
+    expect_those_of_a_cover(name, surface, 5);
 }
 
 TEST(PhasedEigenvalues, WithoutPhasesAreThoseOfFunctionsAndZero) {
@@ -371,7 +384,242 @@ TEST(PhasedEigenvalues, OfARegularPolygonAreTheSameForPhasesThatAreRotated) {
   }
 }
 
-/// λ₀(χ) is the square of the distance from χ = 1 in the norm of harmonic forms, up to higher terms.
+/// The character of a group that an isometry makes of another one: χ ∘ f on the sides of character_sides.
+TorusPoint moved(const Surface& surface, const TorusPoint& point, const SurfaceIsometry& f) {
+  const std::vector<Word> generators = generator_words(surface);
+  const ById<SideId, Rational> phases = phases_of_sides(surface, point);
+  const auto phase = [&](const ById<SideId, Rational>& of_sides, const Word& word) {
+    Rational sum = 0;
+    for (const SideId side : word) sum += of_sides[side];
+    return sum;
+  };
+  TorusPoint result;
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    // A generator that crosses the side, or its partner, and no other one that has a phase.
+    const ById<SideId, Rational> unit = phases_of_sides(surface, one_phase(surface, Rational(1, 7), k));
+    const SideId side = character_sides(surface)[k];
+    for (std::size_t i = 0; i < generators.size(); ++i) {
+      const Word& word = generators[i];
+      const bool crosses =
+          std::count(word.begin(), word.end(), side) + std::count(word.begin(), word.end(), surface.partner(side)) == 1;
+      if (!crosses) continue;
+      const Rational sign = 7 * phase(unit, word);
+      result.push_back(sign * phase(phases, f.images[i]));
+    }
+    EXPECT_EQ(result.size(), k + 1);
+  }
+  return result;
+}
+
+/// An isometry takes functions with phases to functions with others.
+TEST(PhasedEigenvalues, AreTheSameForPhasesThatAnIsometryMoves) {
+  for (const auto& [name, surface] : {std::pair("Bolza", bolza()), std::pair("octagon", octagon())}) {
+    TorusPoint turns = one_phase(surface, Rational(1, 3));
+    turns[1] = Rational(1, 5);
+    turns[2] = Rational(2, 7);
+    const EigenvaluesDocument one = unproved::eigenvalues(surface, {.count = 4, .digits = 2, .phases = turns});
+    const IsometryGroup group = isometries(surface);
+    ASSERT_FALSE(group.generators().empty());
+    for (const std::uint32_t g : group.generators()) {
+      const TorusPoint other_turns = moved(surface, turns, group.isometry(g));
+      const EigenvaluesDocument other =
+          unproved::eigenvalues(surface, {.count = 4, .digits = 2, .phases = other_turns});
+      EXPECT_NE(other.phases, one.phases) << name << ' ' << g;
+      expect_equal(intervals(one), intervals(other), name + (" " + std::to_string(g)));
+    }
+  }
+}
+
+/// λ₀(χ) is the square of the distance from χ = 1 in the norm of harmonic forms, up to higher terms: 4π²E(h)/area for
+/// the function h of least energy that increases by the phases.
+TEST(PhasedEigenvalues, GrowAsTheEnergyOfHarmonicFunctionsFromOneOn) {
+  const Surface surface = octagon();
+  const certify::NetDocument net = compute_net(surface, Length("0.1")).document;
+  const NetGeometry geometry(net);
+  const std::vector<int> along{1, 2, 0, 1};
+  const EigenvaluesDocument::Box box = CharacterDirections(surface, geometry).box(Rational(1, 100));
+  // Energy is that of the Euclidean triangles with the corners in the disk, as angles are.
+  double energy = 0;
+  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
+    const auto z = geometry.corners(t);
+    std::array<double, 3> h{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        double height = box.directions[k].heights[certify::start(net, 3 * t + i)];
+        const std::uint32_t label = certify::corner_label(net, 3 * t + i);
+        if (label > 0) {
+          for (const std::uint32_t side : net.labels[label - 1].word)
+            height += static_cast<double>(box.directions[k].steps[side]);
+        }
+        h[i] += along[k] * height;
+      }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::complex<double> a(z[(i + 1) % 3].x - z[i].x, z[(i + 1) % 3].y - z[i].y);
+      const std::complex<double> b(z[(i + 2) % 3].x - z[i].x, z[(i + 2) % 3].y - z[i].y);
+      const std::complex<double> quotient = b / a;
+      energy += quotient.real() / quotient.imag() / 2 * std::pow(h[(i + 1) % 3] - h[(i + 2) % 3], 2);
+    }
+  }
+  const double half_of_second_derivative = 4 * M_PI * M_PI * energy / (4 * M_PI);
+  for (const int part : {100, 50}) {
+    const Rational t = Rational(1) / part;
+    const EigenvaluesDocument document =
+        unproved::eigenvalues(surface, {.count = 1, .digits = 2, .phases = {t, Rational(2 * t), Rational(0), t}});
+    const Interval in = document.eigenvalues.front().in;
+    EXPECT_NEAR((in.lower + in.upper) / 2 * part * part / half_of_second_derivative, 1, 0.02) << part;
+  }
+}
+
+// Boxes of phases.
+
+/// Of all characters in the box, the corners included.
+TEST(Boxes, ContainTheEigenvaluesOfAllCharactersInThem) {
+  for (const auto& [name, surface] :
+       {std::pair("octagon", octagon()), std::pair("Bolza", bolza()), std::pair("Klein", klein())}) {
+    const Rational radius(1, 60);
+    TorusPoint centre = one_phase(surface, Rational(1, 3));
+    centre.back() = Rational(1, 5);
+    const EigenvaluesDocument box =
+        unproved::eigenvalues(surface, {.count = 3, .digits = 2, .phases = centre, .box = radius});
+    expect_verified(box);
+    std::minstd_rand random(1);
+    for (int trial = 0; trial < 6; ++trial) {
+      TorusPoint point = centre;
+      for (Rational& turns : point) {
+        const int part = trial < 3 ? 2 * static_cast<int>(random() % 2) - 1 : static_cast<int>(random() % 21) - 10;
+        turns += radius * (trial < 3 ? Rational(part) : Rational(part, 10));
+      }
+      const std::vector<Interval> there =
+          intervals(unproved::eigenvalues(surface, {.count = 3, .digits = 2, .phases = point}));
+      expect_equal(intervals(box), there, name + (" " + std::to_string(trial)));
+      const std::size_t count = intervals(box).size();
+      if (there.size() > count) {
+        EXPECT_GE(there[count].upper, box.next) << name;
+      }
+    }
+  }
+}
+
+/// Intervals are wider by what the slopes say, and no more.
+TEST(Boxes, AreAsWideAsTheirRadius) {
+  const Surface surface = octagon();
+  const TorusPoint centre = one_phase(surface, Rational(1, 3));
+  const EigenvaluesDocument alone = unproved::eigenvalues(surface, {.count = 2, .digits = 2, .phases = centre});
+  EXPECT_FALSE(alone.box.has_value());
+  const NetGeometry geometry(alone.net);
+  const CharacterDirections directions(surface, geometry);
+  for (const Rational& radius : {Rational(1, 1000), Rational(1, 50), Rational(1, 2)}) {
+    const EigenvaluesDocument box =
+        unproved::eigenvalues(surface, {.count = 2, .digits = 2, .phases = centre, .box = radius});
+    ASSERT_TRUE(box.box.has_value());
+    EXPECT_EQ(box.box->radius, radius.str());
+    EXPECT_EQ(box.box->directions.size(), 4U);
+    const double distance = directions.distance(radius);
+    EXPECT_GT(distance, static_cast<double>(radius));  // h increases by 1 along loops shorter than 2π.
+    EXPECT_LT(distance, 20 * static_cast<double>(radius));
+    for (std::size_t row = 0; row < alone.eigenvalues.size(); ++row) {
+      EXPECT_NEAR(std::sqrt(box.eigenvalues[row].in.upper), std::sqrt(alone.eigenvalues[row].in.upper) + distance,
+                  1e-8);
+      EXPECT_NEAR(std::sqrt(box.eigenvalues[row].in.lower),
+                  std::max(0.0, std::sqrt(alone.eigenvalues[row].in.lower) - distance), 1e-8);
+    }
+    EXPECT_NEAR(std::sqrt(box.next), std::max(0.0, std::sqrt(alone.next) - distance), 1e-8);
+    expect_verified(box);
+  }
+}
+
+TEST(Boxes, CountWhatIsBelowANumber) {
+  const EigenvaluesDocument document = unproved::eigenvalues(
+      bolza(), {.below = 0.5, .phases = one_phase(bolza(), Rational(1, 2)), .box = Rational(1, 100)});
+  expect_verified(document);
+  EXPECT_EQ(document.eigenvalues.size(), 0U);
+  EXPECT_GT(document.next, 0.3);
+  EXPECT_LT(document.next, 0.5);
+  // The count is one in the centre.
+  EXPECT_EQ(eigenvalues_below(document, 0.5).most, std::nullopt);
+  EXPECT_EQ(eigenvalues_below(document, document.next).most, 0U);
+  for (const EigenvaluesPicture::Step& step : picture_of(document).most) EXPECT_LE(step.lambda, document.next);
+}
+
+TEST(Boxes, AreAroundPhasesAndNotMoreThanHalfATurnWide) {
+  const auto with = [](TorusPoint phases, const Rational& radius) {
+    return [=] { (void)unproved::eigenvalues(bolza(), {.count = 1, .phases = phases, .box = radius}); };
+  };
+  EXPECT_THAT(with({}, Rational(1, 10)), ThrowsMessage<std::invalid_argument>("box is given without phases"));
+  for (const Rational& radius : {Rational(0), Rational(-1, 10), Rational(51, 100)}) {
+    EXPECT_THAT(with(one_phase(bolza(), Rational(1, 2)), radius),
+                ThrowsMessage<std::invalid_argument>("box is not more than 0 and at most 1/2"));
+  }
+}
+
+// The gap: λ₀ away from χ = 1.
+
+TEST(Gap, IsProvedByBoxesThatCoverHalfOfTheTorus) {
+  const Surface surface = bolza();
+  std::vector<EigenvaluesDocument> boxes;
+  const Rational outside(3, 8);
+  const std::size_t count =
+      gap_outside(surface, outside, 1e-4,
+                  {.epsilon = Length("0.8"), .each = [&](std::size_t i, const EigenvaluesDocument& document) {
+                     EXPECT_EQ(i, boxes.size());
+                     boxes.push_back(document);
+                   }});
+  EXPECT_EQ(count, boxes.size());
+  const std::vector<SideId> sides = character_sides(surface);
+  const auto contains = [&](const EigenvaluesDocument& box, const std::vector<double>& point) {
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const double away = point[k] - static_cast<double>(Rational(box.phases[sides[k].number()]));
+      if (std::abs(away - std::round(away)) > static_cast<double>(Rational(box.box->radius)) + 1e-12) return false;
+    }
+    return true;
+  };
+  std::minstd_rand random(1);
+  const auto number = [&] { return static_cast<double>(random()) / 2147483646.0 - 0.5; };
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<double> point{number(), number(), number(), number()};
+    point[random() % 4] = 0.5 - std::abs(number()) / 4;  // At least 3/8.
+    if (point[0] < 0) {
+      for (double& turns : point) turns = -turns;
+    }
+    EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(), [&](const auto& box) { return contains(box, point); }));
+  }
+  for (const EigenvaluesDocument& box : boxes) {
+    EXPECT_TRUE(box.eigenvalues.empty());
+    EXPECT_EQ(box.next, 1e-4);
+  }
+  expect_verified(boxes.front());
+}
+
+TEST(Gap, TakesMoreBoxesForAGreaterBoundAndIsTheSameForAnyNumberOfThreads) {
+  const auto boxes = [](double bound, unsigned threads) {
+    return gap_outside(bolza(), Rational(7, 16), bound, {.epsilon = Length("0.8"), .threads = threads});
+  };
+  EXPECT_EQ(boxes(1e-6, 1), boxes(1e-6, 3));
+  EXPECT_LT(boxes(1e-6, 0), boxes(2e-2, 0));
+}
+
+TEST(Gap, IsNotProvedWhereThereIsNone) {
+  // λ₀ is 0.77 where one phase is a half and all others are 0.
+  EXPECT_THAT([] { (void)gap_outside(bolza(), Rational(3, 8), 2, {.epsilon = Length("0.8")}); },
+              ThrowsMessage<NetError>(HasSubstr("not proved at the phases ")));
+  EXPECT_THAT([] { (void)gap_outside(bolza(), Rational(1, 1000), 1e-6, {.most = 10}); },
+              ThrowsMessage<NetError>(HasSubstr("more than 10 boxes")));
+}
+
+TEST(Gap, IsOfARadiusAndABoundThatMakeSense) {
+  for (const Rational& radius : {Rational(0), Rational(1, 2), Rational(-1, 4)}) {
+    EXPECT_THAT([&] { (void)gap_outside(bolza(), radius, 0.1); },
+                ThrowsMessage<std::invalid_argument>("radius is not between 0 and 1/2"));
+  }
+  for (const double bound : {0.0, -1.0, std::nan(""), 1e5}) {
+    EXPECT_THAT([&] { (void)gap_outside(bolza(), Rational(1, 4), bound); },
+                ThrowsMessage<std::invalid_argument>("bound is not a positive number of at most 10000"));
+  }
+  EXPECT_THAT([] { (void)gap_outside(of_genus(5), Rational(1, 4), 0.1); }, testing::Throws<LimitError>());
+}
+
+/// λ₀(χ) is about a multiple of the square of the distance from χ = 1.
 TEST(PhasedEigenvalues, GrowAsTheSquareFromZeroOn) {
   const Surface surface = octagon();
   std::vector<double> quotients;

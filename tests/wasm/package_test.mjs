@@ -10,7 +10,7 @@ const surface = epsnet.octagon(1);
 await refused(surface.net("0.1", { sparce: true }), 'unknown option "sparce", expected pseudo, sparse, base, signal, progress');
 await refused(surface.systole({ width: 1 }), 'unknown option "width", expected signal, progress');
 await refused(surface.diameter({ digits: 3 }), 'unknown option "digits", expected width, signal, progress');
-await refused(surface.eigenvalues({ upTo: 3 }), 'unknown option "upTo", expected count, below, digits, epsilon, signal, progress');
+await refused(surface.eigenvalues({ upTo: 3 }), 'unknown option "upTo", expected count, below, digits, epsilon, phases, signal, progress');
 await refused(surface.svg({ colour: "none" }), 'unknown option "colour", expected size, signal, progress');
 await refused(epsnet.certify("{}", { fast: true }), 'unknown option "fast", expected name, exact, signal, progress');
 await refused(epsnet.svg("{}", { color: "none" }), 'unknown option "color", expected size, centre, colour, legend, show, eigenfunction, signal, progress');

@@ -23,6 +23,7 @@
 #include "certify/program/output.h"
 #include "netgen/base/gmp.h"
 #include "netgen/base/options.h"
+#include "netgen/curves/closed_curves.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
@@ -35,6 +36,7 @@
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/prove/certified.h"
+#include "netgen/surfaces/characters.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
@@ -148,6 +150,14 @@ Word word_of(const Json& letters, const char* name) {
     word.emplace_back(side.get<std::uint32_t>());
   }
   return word;
+}
+
+std::vector<Word> words_of(const Members& members, const char* name) {
+  const Json& given = members.at(name);
+  if (!given.is_array()) throw std::invalid_argument(std::string(name) + ": expected an array of paths");
+  std::vector<Word> words;
+  for (const Json& word : given) words.push_back(word_of(word, name));
+  return words;
 }
 
 Surface surface_of(const Members& members, const char* name = "surface");
@@ -445,9 +455,13 @@ Answer find_eigenvalues(const Members& members, const Progress& progress) {
   if (members.has("below")) options.below = members.get<double>("below");
   if (members.has("digits")) options.digits = members.get<int>("digits");
   if (members.has("epsilon")) options.epsilon = members.length("epsilon");
+  if (members.has("phases")) {
+    if (!members.at("phases").is_array()) throw std::invalid_argument("phases: expected an array of numbers of turns");
+    for (const Json& phase : members.at("phases")) options.phases.push_back(rational(phase, "phases"));
+  }
   const certify::EigenvaluesDocument found = unproved::eigenvalues(surface_of(members), options);
   Json rows = Json::array();
-  std::uint64_t first = 1;
+  std::uint64_t first = found.phases.empty() ? 1 : 0;
   for (const auto& [in, count] : found.eigenvalues) {
     rows.push_back(Json::object({{"first", first}, {"count", count}, {"in", interval_json(in)}}));
     first += count;
@@ -493,10 +507,7 @@ Answer compare_surfaces(const Members& members, const Progress& progress) {
 
 Answer find_pants(const Members& members, const Progress& progress) {
   PantsOptions options{.own = !members.get<bool>("find", false), .threads = 1, .progress = progress};
-  if (members.has("curves")) {
-    if (!members.at("curves").is_array()) throw std::invalid_argument("curves: expected an array of paths");
-    for (const Json& curve : members.at("curves")) options.curves.push_back(word_of(curve, "curves"));
-  }
+  if (members.has("curves")) options.curves = words_of(members, "curves");
   const PantsDecomposition found = pants_decomposition(surface_of(members), options);
   Json edges = Json::array();
   Json cuffs = Json::array();
@@ -515,6 +526,33 @@ Answer find_pants(const Members& members, const Progress& progress) {
       Json::object(
           {{"own", found.own}, {"edges", std::move(edges)}, {"cuffs", std::move(cuffs)}, {"pants", found.pants}}),
       progress);
+}
+
+/// The given curves come first in the document, then those of the homology basis.
+Answer find_curves(const Members& members, const Progress& progress) {
+  const certify::CurvesDocument found =
+      unproved::curves(surface_of(members), words_of(members, "curves"), {.threads = 1, .progress = progress});
+  Json curves = Json::array();
+  for (const auto& curve : found.curves) {
+    curves.push_back(Json::object({{"length", interval_json(curve.length)},
+                                   {"power", curve.power},
+                                   {"self_intersections", curve.self_intersections},
+                                   {"homology", curve.homology},
+                                   {"word", curve.word}}));
+  }
+  Json pairs = Json::array();
+  for (const auto& pair : found.pairs) {
+    pairs.push_back(Json::object({{"first", pair.first},
+                                  {"second", pair.second},
+                                  {"intersections", pair.intersections},
+                                  {"algebraic", pair.algebraic}}));
+  }
+  return proved(found,
+                Json::object({{"curves", std::move(curves)},
+                              {"pairs", std::move(pairs)},
+                              {"basis", found.basis},
+                              {"fill", !found.filling.empty()}}),
+                progress);
 }
 
 Answer find_dehn_twist_words(const Members& members) {
@@ -646,6 +684,7 @@ Answer answer_or_throw(const Request& request, const Progress& progress) {
       {"isometries", [&] { return find_isometries(members, progress); }},
       {"isometric", [&] { return compare_surfaces(members, progress); }},
       {"pants", [&] { return find_pants(members, progress); }},
+      {"curves", [&] { return find_curves(members, progress); }},
       {"dehn-twist-words", [&] { return find_dehn_twist_words(members); }},
       {"generators", [&] { return find_generators(members); }},
       {"dirichlet", [&] { return find_dirichlet_domain(members); }},
@@ -674,6 +713,8 @@ Answer answer(const Request& request, const Progress& progress) {
   } catch (const FenchelNielsenRequestError& error) {
     return failure("SurfaceError", error.what());
   } catch (const CurveError& error) {
+    return failure("ArgumentError", error.what());
+  } catch (const CharacterError& error) {
     return failure("ArgumentError", error.what());
   } catch (const PantsGraphError& error) {
     return failure("SurfaceError", error.what());

@@ -111,6 +111,17 @@ export class IsometryGroup extends ProvedFile {
   /** `fixed_points` only where they are points alone. */
   readonly isometries: (Isometry & { order: number; fixed_points?: number })[];
 }
+/** Closed curves up to free homotopy, verified: the given ones, and after them those of the homology basis. */
+export interface ClosedCurves extends ProvedFile {
+  /** `power`: the greatest k for which it is a k-th power; `homology`: coefficients of its class, by curve of `basis`. */
+  readonly curves: { length: Interval; power: number; self_intersections: number; homology: number[]; word: number[] }[];
+  /** Of two of `curves` by their numbers: the geometric and the algebraic intersection number. */
+  readonly pairs: { first: number; second: number; intersections: number; algebraic: number }[];
+  /** Numbers of curves: a₁, b₁, a₂, b₂, …, which are a symplectic basis of the homology. */
+  readonly basis: number[];
+  /** Whether the given ones fill the surface; only true is verified. */
+  readonly fill: boolean;
+}
 /** Whether two surfaces are isometric, as the module decides. */
 export interface IsometricAnswer {
   isometric: "yes" | "no" | "undecided";
@@ -183,6 +194,8 @@ export class Surface {
   isometricTo(other: Surface, options?: JobOptions): Promise<IsometricAnswer>;
   /** Along `curves`, which others complete; its own, if it was made of some; or, with `find`, along short closed geodesics. */
   pants(options?: { curves?: Curve[]; find?: boolean } & JobOptions): Promise<PantsDecomposition>;
+  /** How closed curves meet, their classes in homology, and whether they fill the surface. */
+  closedCurves(curves: Curve[], options?: JobOptions): Promise<ClosedCurves>;
   dirichletDomain(options?: { base?: Point } & JobOptions): Promise<DirichletDomain>;
   /** Words, one for each pair of sides of the fundamental polygon. */
   generators(options?: JobOptions): Promise<number[][]>;
@@ -194,8 +207,12 @@ export class Surface {
   dehnTwist(curve: Curve, power?: number): Surface;
   /** Cut along the closed geodesic of a simple curve, and glued with one side moved to the left. */
   twist(curve: Curve, by: Exact): Surface;
-  /** The first `count` (10), or all that are less than `below`; `digits` from 1 to 10, up to 2 without eigenfunctions. */
-  eigenvalues(options?: { count?: number; below?: number; digits?: number; epsilon?: Exact } & JobOptions): Promise<Eigenvalues>;
+  /**
+   * The first `count` (10), or all that are less than `below`; `digits` from 1 to 10, up to 2 without eigenfunctions.
+   * With `phases`, a number of turns for each generator in the order of the sides (docs/eigenvalues.md), those of functions on the plane with
+   * f(γz) = χ(γ) f(z), from λ₀ on; `digits` up to 3.
+   */
+  eigenvalues(options?: { count?: number; below?: number; digits?: number; epsilon?: Exact; phases?: Exact[] } & JobOptions): Promise<Eigenvalues>;
 }
 
 export interface FenchelNielsen {

@@ -305,6 +305,10 @@ export class Surface {
   async pants({ curves, ...options } = {}) {
     return new PantsDecomposition(await this.#ask({ do: "pants", ...(curves && { curves: curves.map(wordOf) }) }, options, ["curves", "find"]));
   }
+  /** How closed curves meet, their classes in homology, and whether they fill the surface. */
+  async closedCurves(curves, options) {
+    return new ProvedFile(await this.#ask({ do: "curves", curves: curves.map(wordOf) }, options));
+  }
   /** The Dirichlet domain of a point. */
   async dirichletDomain(options) {
     return new DirichletDomain((await this.#ask({ do: "dirichlet" }, options, ["base"])).files[0]);
@@ -330,9 +334,9 @@ export class Surface {
   twist(curve, by) {
     return new Surface({ twist: { surface: this.recipe, curve: wordOf(curve), by } }, this.files);
   }
-  /** The first eigenvalues of the Laplacian. */
+  /** The first eigenvalues of the Laplacian, also with phases. */
   async eigenvalues(options) {
-    return new Eigenvalues(await this.#ask({ do: "eigenvalues" }, options, ["count", "below", "digits", "epsilon"]));
+    return new Eigenvalues(await this.#ask({ do: "eigenvalues" }, options, ["count", "below", "digits", "epsilon", "phases"]));
   }
 }
 

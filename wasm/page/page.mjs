@@ -366,6 +366,11 @@ function addCurves(curves) {
 function tellCurves() {
   for (const id of ['twist', 'dehn-twist']) $(id).disabled = $('curve').options.length === 0;
 }
+// The numbers of the sides of a path that somebody typed.
+function wordOf(text) {
+  if (!/^[0-9]+( +[0-9]+)*$/.test(text)) throw new Error(`${text.slice(0, 40)}: expected the numbers of the sides that a closed curve crosses, such as 1 2`);
+  return text.split(/ +/).map(Number);
+}
 // Commands about the surface, FILE in their text.
 function surfaceCommand(rest) {
   const {text, file} = surfaceCommands(current.chosen);
@@ -374,6 +379,7 @@ function surfaceCommand(rest) {
 const lengthName = length => `length ${number(length)}`;
 const simpleCurves = ({geodesics}) => geodesics.filter(({simple}) => simple).map(({length, word}) => ({name: lengthName(length), word}));
 const lengthsOf = file => file.geodesics.map(({length}) => length);
+const times = n => n === 0 ? 'never' : n === 1 ? 'once' : `${n} times`;
 const counted = n => `${n === 0 ? 'no' : n} closed geodesic${n === 1 ? '' : 's'}`;
 $('systole').onclick = () => ask('Systole', surfaceCommand('epsnet systole FILE'), ({surface}, options) => surface.systole(options),
     file => {
@@ -388,6 +394,23 @@ $('spectrum').onclick = () => {
     return [`${counted(lengths.length)} up to length ${upTo}${lengths.length > 0 ? ', and no others; their lengths:' : ''}`, ...lines.slice(0, kMostLines),
             ...(lines.length > kMostLines ? [`and ${lines.length - kMostLines} more lengths in the file`] : [])];
   }, {isDrawn: true});
+};
+const tellCurve = ({length, power, self_intersections: crossings, homology}, k) =>
+  `curve ${k}: length ${number(length)}, ${power > 1 ? `a power, ${power}` : crossings === 0 ? 'simple' : `crosses itself ${times(crossings)}`}, class (${homology.join(', ')})`;
+$('curves').onclick = () => {
+  try {
+    const texts = typed('words').split(',').map(text => text.trim()), words = texts.map(wordOf);
+    ask('Closed curves', surfaceCommand(`epsnet curves FILE ${texts.map(text => text.replaceAll(/ +/g, ',')).join(' ')}`),
+        ({surface}, options) => surface.closedCurves(words, options), ({curves, pairs, fill}) => {
+          const given = curves.slice(0, words.length), meetings = pairs.filter(({second}) => second < words.length);
+          addCurves(given.flatMap(({length, power, self_intersections, word}) => power === 1 && self_intersections === 0 ? [{name: lengthName(length), word}] : []));
+          return [...given.map(tellCurve),
+                  ...meetings.map(({first, second, intersections, algebraic}) => `curves ${first} and ${second} meet ${times(intersections)}, algebraically ${algebraic}`),
+                  ...(fill ? ['together they fill the surface'] : [])];
+        }, {isPicture: true});
+  } catch (error) {
+    $('problem').textContent = error.message;
+  }
 };
 $('diameter').onclick = () => ask('Diameter', surfaceCommand('epsnet diameter FILE --width 1e-3'),
     ({surface}, options) => surface.diameter({width: 1e-3, ...options}), file => [`the diameter is ${number(file.value)}`]);

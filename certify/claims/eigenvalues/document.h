@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,10 +57,26 @@ struct EigenvaluesDocument {
     bool operator==(const Eigenfunctions&) const = default;
   };
 
+  /// A homomorphism of the surface's group to the integers, and a function h on the plane with h(γz) = h(z) + its value
+  /// at γ.
+  struct Direction {
+    std::vector<std::int64_t> steps;  ///< By side of the surface: of h across it.
+    std::vector<double> heights;      ///< By vertex of the net: h there, in the vertex's chart.
+    bool operator==(const Direction&) const = default;
+  };
+
+  /// Characters near that of `phases`: those with the phases θ_s + Σ t_k steps_k(s), t_k real, |t_k| ≤ radius.
+  struct Box {
+    std::string radius;  ///< In turns: a decimal > 0, exactly as written.
+    std::vector<Direction> directions;
+    bool operator==(const Box&) const = default;
+  };
+
   NetDocument net;
   /// By side of the surface: a decimal without exponent or a rational, exactly as written, in turns. A section is
   /// multiplied by e^{2πiθ} across a side of phase θ. Empty: functions.
   std::vector<std::string> phases;
+  std::optional<Box> box;              ///< What is claimed holds for all characters in it. Only with `phases`.
   std::vector<Enclosure> eigenvalues;  ///< From λ₁ on, or from λ₀ on with `phases`.
   double next = 0;                     ///< All others are at least that.
   std::uint32_t halvings = 0;          ///< So many times triangles of the net are divided into four.

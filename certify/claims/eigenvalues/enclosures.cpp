@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "certify/claims/eigenvalues/box.h"
+
 namespace epsnet::certify {
 namespace {
 
@@ -12,19 +14,20 @@ using Row = EigenvaluesDocument::Eigenfunctions;
 
 }  // namespace
 
-CountedEigenvalues::CountedEigenvalues(const EigenvaluesDocument& document) : document_(document), functions_{0} {
+CountedEigenvalues::CountedEigenvalues(const EigenvaluesDocument& document, double distance)
+    : document_(document), functions_{0} {
   for (const Row& row : document.eigenfunctions)
     functions_.push_back(functions_.back() + static_cast<std::int64_t>(row.functions.size()));
   const auto by_place = [](const Extremes& x, const Extremes& y) { return x.below < y.below; };
   for (const auto& [below, count] : document.at_least)
-    at_least_.push_back({below, count, count - beginning_before(below)});
+    at_least_.push_back({greatest_beside(below, distance), count, count - beginning_before(below)});
   std::sort(at_least_.begin(), at_least_.end(), by_place);
   for (std::size_t i = 1; i < at_least_.size(); ++i) {
     at_least_[i].count = std::max(at_least_[i].count, at_least_[i - 1].count);
     at_least_[i].without = std::max(at_least_[i].without, at_least_[i - 1].without);
   }
   for (const auto& [below, count, sigma] : document.at_most)
-    at_most_.push_back({below, count, count - ending_before(below)});
+    at_most_.push_back({least_beside(below, distance), count, count - ending_before(below)});
   std::sort(at_most_.begin(), at_most_.end(), by_place);
   for (std::size_t i = at_most_.size(); i-- > 1;) {
     at_most_[i - 1].count = std::min(at_most_[i - 1].count, at_most_[i].count);

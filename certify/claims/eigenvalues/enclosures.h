@@ -9,11 +9,12 @@
 namespace epsnet::certify {
 
 /// What the counts and functions of a document say of the numbers of eigenvalues, if they are true (docs/proof.md,
-/// section 17.1). Comparisons of binary64 and sums of integers alone: exact.
+/// section 17.1). Comparisons of binary64 and sums of integers alone, but for distances other than 0: exact.
 class CountedEigenvalues {
  public:
-  /// O(n log n) for n rows. The document must outlive it.
-  explicit CountedEigenvalues(const EigenvaluesDocument& document);
+  /// Roots of eigenvalues are at most `distance` from those that are counted. O(n log n) for n rows. The document must
+  /// outlive it. Requires: the distance is 0 if there are eigenfunctions.
+  explicit CountedEigenvalues(const EigenvaluesDocument& document, double distance = 0);
 
   /// At least so many eigenvalues are ≤ x. O(log n).
   [[nodiscard]] std::int64_t least_up_to(double x) const;

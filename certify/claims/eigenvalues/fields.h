@@ -37,11 +37,26 @@ struct Fields<EigenvaluesDocument::Eigenfunctions> {
 };
 
 template <>
+struct Fields<EigenvaluesDocument::Direction> {
+  static auto members(auto& direction) {
+    return std::tuple(member("steps", direction.steps), member("heights", direction.heights));
+  }
+};
+
+template <>
+struct Fields<EigenvaluesDocument::Box> {
+  static auto members(auto& box) {
+    return std::tuple(member("radius", box.radius).expecting("a decimal in a string"),
+                      member("directions", box.directions));
+  }
+};
+
+template <>
 struct Fields<EigenvaluesDocument> {
   static constexpr ClaimKind kKind{"eigenvalues", "epsnet-eigenvalues", "eigenvalues",
                                    "An eigenvalues file claims in which intervals the first eigenvalues of the\n"
                                    "Laplacian lie, with multiplicity, and from where on all others; of functions,\n"
-                                   "or of the sections of a flat line bundle.",
+                                   "or of the sections of a flat line bundle, or of all those near one.",
                                    17};
   static constexpr const char* kName = "eigenvalues file";
   static constexpr const char* kPrefix = "";
@@ -49,10 +64,11 @@ struct Fields<EigenvaluesDocument> {
     return std::tuple_cat(
         format_and_version(kKind.format),
         std::tuple(member("net", document.net), member("phases", document.phases).optional(),
-                   member("eigenvalues", document.eigenvalues), member("next", document.next),
-                   member("halvings", document.halvings), member("side_order", List{document.side_order}),
-                   member("vertex_order", List{document.vertex_order}), member("at_most", document.at_most),
-                   member("at_least", document.at_least), member("eigenfunctions", document.eigenfunctions)));
+                   member("box", document.box).optional(), member("eigenvalues", document.eigenvalues),
+                   member("next", document.next), member("halvings", document.halvings),
+                   member("side_order", List{document.side_order}), member("vertex_order", List{document.vertex_order}),
+                   member("at_most", document.at_most), member("at_least", document.at_least),
+                   member("eigenfunctions", document.eigenfunctions)));
   }
 };
 
@@ -61,10 +77,11 @@ struct Fields<EigenvaluesDocument> {
 struct Claim;
 
 /// What an eigenvalues document must satisfy before any rule makes sense: a net without collars; phases, if there are
-/// any, for all sides (see phases_problem), and then no eigenfunctions; orders that are
-/// permutations of the sides and vertices of the halved triangles, where they are needed; 0 < `below` ≤ `sigma`;
-/// intervals 0 ≤ lo ≤ hi; for each eigenfunction 2M + 1 finite coefficients by vertex, M from 1 to 200, not all 0, a
-/// radius of more than ε and less than 2, 0 < lower end ≤ λ ≤ upper end, intervals in increasing order and disjoint.
+/// any, for all sides (see phases_problem), and then no eigenfunctions; a box only with phases (see box_problem);
+/// orders that are permutations of the sides and vertices of the halved triangles, where they are needed; 0 < `below` ≤
+/// `sigma`; intervals 0 ≤ lo ≤ hi; for each eigenfunction 2M + 1 finite coefficients by vertex, M from 1 to 200, not
+/// all 0, a radius of more than ε and less than 2, 0 < lower end ≤ λ ≤ upper end, intervals in increasing order and
+/// disjoint.
 ///
 /// The first problem; nullopt if there is none. Exact, O(size of the document).
 [[nodiscard]] Problem structure_problem(const EigenvaluesDocument& document);
@@ -75,6 +92,8 @@ struct Claim;
 /// The names of its own rules, in order:
 ///
 /// * `phases`, if there are any: they are those of a flat line bundle;
+/// * `box`, if there is one: its directions are homomorphisms to the integers, and their functions have bounded slopes;
+///   refuted only if a direction is no homomorphism;
 /// * `most`, `least`: the counts of `at_most` and `at_least`, by the inertia of matrices; never refuted;
 /// * `eigenfunctions`: the functions of each row prove as many eigenvalues in its interval; never refuted;
 /// * `enclosures`: what is claimed of λ₁, λ₂, … follows from these.

@@ -230,6 +230,15 @@ Ball FlatTriangle::interpolation_constant() const {
   return sqr(kappa) * max(max(squares_[0], squares_[1]), squares_[2]) * cosh_ * (1 + radius_);
 }
 
+Ball FlatTriangle::greatest_slope(const std::array<Ball, 3>& values) const {
+  Ball twice_energy;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [i, j] = kOthers[k];
+    twice_energy += cotangents_[k] * sqr(values[i] - values[j]);
+  }
+  return cosh_ * sqrt_of_nonnegative(twice_energy / twice(area_));
+}
+
 SymmetricForm FlatTriangle::greatest_energy() const { return energy(cotangents_, mean_of_inverse(Ball())); }
 
 SymmetricForm FlatTriangle::least_mass() const {

@@ -69,6 +69,9 @@ class FlatTriangle {
   /// 0.1893² l² C(1 + R) (Lemma 33).
   [[nodiscard]] Ball interpolation_constant() const;
 
+  /// A bound for |∇f| on T, by the values of f in the corners (Lemma 37.10).
+  [[nodiscard]] Ball greatest_slope(const std::array<Ball, 3>& values) const;
+
   /// The energy and mass of Lemma 35 for the values of f in the corners.
   [[nodiscard]] SymmetricForm greatest_energy() const;
   [[nodiscard]] SymmetricForm least_mass() const;

@@ -212,6 +212,7 @@ std::vector<Family> families() {
     b.push_back(file("eigenvalues/octagon-5.json", 8));
     b.push_back(file("eigenvalues/octagon-5-of-one-vertex.json", 8));
     b.push_back(file("eigenvalues/octagon-sections-of-a-third.json", 8));
+    b.push_back(file("eigenvalues/octagon-sections-in-a-box.json", 8));
     b.push_back(file("eigenvalues/bolza.json", 8));
     b.push_back(file("eigenvalues/octagon-5-with-a-function.json", 1));
     b.push_back(file("eigenvalues/bolza-with-three-functions.json", 1));

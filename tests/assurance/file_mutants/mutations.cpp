@@ -208,6 +208,16 @@ std::vector<std::string>& phases(EigenvaluesDocument& file) {
   return file.phases;
 }
 
+/// That of the file, or one of all heights 0 and one direction, with phases.
+EigenvaluesDocument::Box& box(EigenvaluesDocument& file) {
+  const std::size_t sides = phases(file).size();
+  if (!file.box) file.box = {"1/100", {}};
+  if (file.box->directions.empty())
+    file.box->directions = {{std::vector<std::int64_t>(sides, 0), std::vector<double>(file.net.vertices.size(), 0)}};
+  return *file.box;
+}
+EigenvaluesDocument::Direction& direction(EigenvaluesDocument& file, Random& r) { return r.of(box(file).directions); }
+
 /// Any number below which eigenvalues are counted.
 double& below(EigenvaluesDocument& file, Random& r) {
   if (r.below(file.at_most.size() + file.at_least.size()) < file.at_most.size()) return r.of(file.at_most).below;
@@ -951,6 +961,39 @@ const std::vector<MutationOf<EigenvaluesDocument>>& eigenvalues_mutations() {
          } else {
            file.phases.clear();
          }
+       }},
+      {"radius of a box",
+       [](EigenvaluesDocument& file, Random& r) {
+         constexpr const char* kRadii[] = {"0.0100000001", "0.011", "1/3", "1/101"};
+         box(file).radius = kRadii[r.below(4)];
+       }},
+      {"height in a box",
+       [](EigenvaluesDocument& file, Random& r) {
+         std::vector<double>& heights = direction(file, r).heights;
+         heights.at(r.below(heights.size())) += r.sign() * std::pow(10.0, -static_cast<int>(r.below(7)));
+       }},
+      {"step in a box",
+       [](EigenvaluesDocument& file, Random& r) { r.of(direction(file, r).steps) += r.below(2) == 0 ? 1 : -1; }},
+      {"steps of two sides that are glued",
+       [](EigenvaluesDocument& file, Random& r) {
+         const certify::SurfaceSides sides(file.net.surface);
+         std::vector<std::int64_t>& steps = direction(file, r).steps;
+         const std::uint32_t side = r.below(steps.size());
+         steps.at(side) += 1;
+         steps.at(sides.partner.at(side)) -= 1;
+       }},
+      {"direction left out, still true, or the box",
+       [](EigenvaluesDocument& file, Random& r) {
+         if (r.below(2) == 0) {
+           box(file).directions.erase(box(file).directions.begin() + r.below(box(file).directions.size()));
+         } else {
+           file.box.reset();
+         }
+       }},
+      {"direction twice, another one not at all",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Direction& one = direction(file, r);
+         one = direction(file, r);
        }},
       {"sigma", [](EigenvaluesDocument& file, Random& r) { change_threshold(r.of(file.at_most).sigma, r); }},
       {"sigma and the number of its count",

@@ -1,0 +1,324 @@
+#include "netgen/eigenvalues/character_box.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "certify/net/numbering.h"
+#include "certify/numbers/parallel.h"
+#include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/eigenvalues/elements.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/characters.h"
+
+namespace epsnet {
+namespace {
+
+using certify::EigenvaluesDocument;
+
+/// More than what rounding changes of a distance.
+constexpr double kRoomOfDistances = 1 + 1e-9;
+
+/// The flat triangle with the corners of a triangle of a net.
+struct ChordTriangle {
+  std::array<double, 3> cotangent;  ///< By corner.
+  double area;
+  double cosh;  ///< Of the circumradius of the triangle.
+};
+
+ChordTriangle chord_triangle(const NetGeometry& geometry, std::uint32_t t) {
+  std::array<double, 3> square;  // Of the sides, the one opposite to corner i at i.
+  for (std::uint32_t i = 0; i < 3; ++i)
+    square[(i + 2) % 3] = 4 * std::pow(std::sinh(geometry.edge_length(3 * t + i) / 2), 2);
+  ChordTriangle result{};
+  result.area = std::sqrt(4 * square[0] * square[1] - std::pow(square[0] + square[1] - square[2], 2)) / 4;
+  for (std::size_t i = 0; i < 3; ++i)
+    result.cotangent[i] = (square[(i + 1) % 3] + square[(i + 2) % 3] - square[i]) / (4 * result.area);
+  result.cosh = std::sqrt(1 + square[0] * square[1] * square[2] / std::pow(4 * result.area, 2));
+  return result;
+}
+
+/// The steps of a character, by side: whole numbers, 1 for the side with this number in character_sides, 0 for others.
+std::vector<std::int64_t> steps_of(const Surface& surface, std::size_t direction) {
+  // More than twice any of them: what flows along an edge comes from one cycle.
+  constexpr std::int64_t kParts = 1 << 20;
+  std::vector<Rational> turns(2 * surface.genus(), Rational(0));
+  turns[direction] = Rational(1, kParts);
+  std::vector<std::int64_t> result;
+  for (const Rational& phase : phases_of_sides(surface, turns))
+    result.push_back(static_cast<std::int64_t>(numerator(Rational(phase * kParts))));
+  return result;
+}
+
+/// By dart: the step from the chart of the vertex where it starts to that of its triangle.
+std::vector<double> steps_at_corners(const certify::NetDocument& net, const std::vector<std::int64_t>& steps) {
+  std::vector<double> of_label{0};
+  for (const certify::NetDocument::Label& label : net.labels) {
+    std::int64_t sum = 0;
+    for (const std::uint32_t side : label.word) sum += steps[side];
+    of_label.push_back(static_cast<double>(sum));
+  }
+  std::vector<double> result;
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart)
+    result.push_back(of_label[certify::corner_label(net, dart)]);
+  return result;
+}
+
+/// By vertex, the heights of the function of least energy: for each triangle and side the cotangent of the opposite
+/// angle times the square of the difference of the ends, in the triangle's chart. Files have six decimals of them.
+std::vector<double> heights_of(const certify::NetDocument& net, const std::vector<ChordTriangle>& triangles,
+                               const std::vector<double>& steps) {
+  const std::size_t vertices = net.vertices.size();
+  // That of vertex 0 is 0.
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertices - 1));
+  const auto add = [&](std::uint32_t i, std::uint32_t j, double value) {
+    if (i > 0 && j > 0) entries.emplace_back(static_cast<int>(i - 1), static_cast<int>(j - 1), value);
+  };
+  for (std::uint32_t dart = 0; dart < steps.size(); ++dart) {
+    const std::uint32_t i = certify::start(net, dart);
+    const std::uint32_t j = certify::start(net, certify::next_dart(dart));
+    if (i == j) continue;
+    const double weight = triangles[dart / 3].cotangent[(dart + 2) % 3];
+    const double rise = steps[certify::next_dart(dart)] - steps[dart];
+    add(i, i, weight);
+    add(j, j, weight);
+    add(i, j, -weight);
+    add(j, i, -weight);
+    if (i > 0) right[i - 1] += weight * rise;
+    if (j > 0) right[j - 1] -= weight * rise;
+  }
+  std::vector<double> result(vertices, 0);
+  if (vertices == 1) return result;
+  Eigen::SparseMatrix<double> matrix(right.size(), right.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+  constexpr double kParts = 1e6;
+  for (std::size_t v = 1; v < vertices; ++v)
+    result[v] = std::round(solution[static_cast<Eigen::Index>(v - 1)] * kParts) / kParts;
+  return result;
+}
+
+/// The values of a function in the corners of a triangle.
+using Heights = std::array<double, 3>;
+
+/// The slope of a function on a triangle is at most that.
+double slope(const ChordTriangle& triangle, const Heights& h) {
+  double twice_energy = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    twice_energy += triangle.cotangent[i] * std::pow(h[(i + 1) % 3] - h[(i + 2) % 3], 2);
+  return triangle.cosh * std::sqrt(std::max(0.0, twice_energy / (2 * triangle.area)));
+}
+
+/// Of Σ ±h_k with any signs, the greatest: in groups of four, of which the slopes are added up.
+double greatest_slope(const ChordTriangle& triangle, const std::vector<Heights>& heights) {
+  constexpr std::size_t kInGroup = 4;
+  double result = 0;
+  for (std::size_t first = 0; first < heights.size(); first += kInGroup) {
+    const std::size_t last = std::min(first + kInGroup, heights.size());
+    double greatest = 0;
+    for (std::size_t signs = 0; signs < std::size_t{1} << (last - first); ++signs) {
+      Heights sum{};
+      for (std::size_t k = first; k < last; ++k) {
+        for (std::size_t i = 0; i < 3; ++i) sum[i] += (signs >> (k - first) & 1) != 0 ? -heights[k][i] : heights[k][i];
+      }
+      greatest = std::max(greatest, slope(triangle, sum));
+    }
+    result += greatest;
+  }
+  return result;
+}
+
+}  // namespace
+
+CharacterDirections::CharacterDirections(const Surface& surface, const NetGeometry& geometry) {
+  const certify::NetDocument& net = geometry.document();
+  std::vector<ChordTriangle> triangles;
+  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) triangles.push_back(chord_triangle(geometry, t));
+  std::vector<std::vector<Heights>> at_corners(triangles.size());
+  for (std::size_t k = 0; k < 2 * surface.genus(); ++k) {
+    std::vector<std::int64_t> steps = steps_of(surface, k);
+    const std::vector<double> of_darts = steps_at_corners(net, steps);
+    std::vector<double> heights = heights_of(net, triangles, of_darts);
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      Heights& h = at_corners[t].emplace_back();
+      for (std::uint32_t i = 0; i < 3; ++i) h[i] = heights[certify::start(net, 3 * t + i)] + of_darts[3 * t + i];
+    }
+    directions_.push_back({std::move(steps), std::move(heights)});
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const double of_triangle = greatest_slope(triangles[t], at_corners[t]);
+    if (!std::isfinite(of_triangle)) throw NetError("triangles are too thin for functions on them");
+    slope_ = std::max(slope_, of_triangle);
+  }
+}
+
+EigenvaluesDocument::Box CharacterDirections::box(const Rational& radius) const { return {radius.str(), directions_}; }
+
+double CharacterDirections::distance(const Rational& radius) const {
+  return 2 * std::numbers::pi * static_cast<double>(radius) * slope_ * kRoomOfDistances;
+}
+
+void widen(EigenvaluesDocument& document, const CharacterDirections& directions, const Rational& radius) {
+  const double distance = directions.distance(radius);
+  const auto least = [&](double x) { return std::pow(std::max(0.0, std::sqrt(x) - distance), 2) / kRoomOfDistances; };
+  for (auto& [in, count] : document.eigenvalues)
+    in = {least(in.lower), std::pow(std::sqrt(in.upper) + distance, 2) * kRoomOfDistances};
+  document.next = least(document.next);
+  document.box = directions.box(radius);
+}
+
+namespace {
+
+/// A part of the torus of characters: a cube with its centre.
+struct Cube {
+  TorusPoint centre;
+  Rational radius;
+};
+
+/// The halves in all directions.
+void halve(const Cube& cube, std::vector<Cube>& parts) {
+  const Rational radius = cube.radius / 2;
+  for (std::uint64_t part = 0; part < std::uint64_t{1} << cube.centre.size(); ++part) {
+    Cube& half = parts.emplace_back(Cube{cube.centre, radius});
+    for (std::size_t k = 0; k < cube.centre.size(); ++k)
+      half.centre[k] += (part >> k & 1) != 0 ? radius : Rational(-radius);
+  }
+}
+
+bool is_outside(const TorusPoint& point, const Rational& radius) {
+  return std::any_of(point.begin(), point.end(), [&](const Rational& turns) { return abs(turns) > radius; });
+}
+
+bool is_near_0(const Cube& cube, const Rational& radius) {
+  return std::all_of(cube.centre.begin(), cube.centre.end(),
+                     [&](const Rational& turns) { return abs(turns) + cube.radius <= radius; });
+}
+
+/// What proves that λ₀ is at least a number in a cube.
+class CubeProofs {
+ public:
+  CubeProofs(const Surface& surface, const NetGeometry& geometry, double bound)
+      : surface_(surface), geometry_(geometry), directions_(surface, geometry), bound_(bound) {
+    constexpr double kGreatestErrorOfMatrix = 0.08;  // Relative, of eigenvalues.
+    constexpr std::uint32_t kMostHalvings = 5;
+    while (halvings_ < kMostHalvings && Elements(geometry, halvings_).interpolation() > kGreatestErrorOfMatrix)
+      ++halvings_;
+    order_ = elimination_order(Elements(geometry, halvings_).lower().energy);
+  }
+
+  /// The document; nothing if eigenvalues near the centre may be too small.
+  [[nodiscard]] std::optional<EigenvaluesDocument> proof(const Cube& cube) const {
+    const ById<SideId, Rational> phases = phases_of_sides(surface_, cube.centre);
+    const double below = std::pow(std::sqrt(bound_) + directions_.distance(cube.radius), 2) * kRoomOfDistances;
+    const auto sigma = counted(phases, below);
+    if (!sigma) return std::nullopt;
+    EigenvaluesDocument result;
+    result.net = geometry_.document();
+    for (const Rational& phase : phases) result.phases.push_back(phase.str());
+    result.box = directions_.box(cube.radius);
+    result.next = bound_;
+    result.halvings = halvings_;
+    result.side_order = order_;
+    result.at_most.push_back({below, 0, *sigma});
+    return result;
+  }
+
+  /// Whether this much is so in the centre.
+  [[nodiscard]] bool holds_in_centre(const Cube& cube) const {
+    return counted(phases_of_sides(surface_, cube.centre), bound_).has_value();
+  }
+
+ private:
+  /// σ, if there are no eigenvalues below a number.
+  [[nodiscard]] std::optional<double> counted(const ById<SideId, Rational>& phases, double below) const {
+    std::vector<double> turns{0};
+    for (const certify::NetDocument::Label& label : geometry_.document().labels)
+      turns.push_back(phase_of_word(phases, label.word));
+    const Elements elements(geometry_, halvings_, turns);
+    const double room = 1 - elements.interpolation() * (1 + 1e-10) * below;
+    if (room <= 0) return std::nullopt;
+    const double sigma = below / room * (1 + 1e-12);
+    const certify::Inertia found = inertia(elements.lower(), order_, sigma, certify::Bound::upper, 1, 0);
+    return found.proved && found.negative == 0 ? std::optional(sigma) : std::nullopt;
+  }
+
+  const Surface& surface_;
+  const NetGeometry& geometry_;
+  CharacterDirections directions_;
+  double bound_;
+  std::uint32_t halvings_ = 0;
+  std::vector<std::uint32_t> order_;
+};
+
+std::string text_of(const TorusPoint& point) {
+  std::string result;
+  for (const Rational& turns : point) result += (result.empty() ? "" : ",") + turns.str();
+  return result;
+}
+
+}  // namespace
+
+std::size_t gap_outside(const Surface& surface, const Rational& radius, double bound, const GapOptions& options) {
+  if (radius <= 0 || radius >= Rational(1, 2)) throw std::invalid_argument("radius is not between 0 and 1/2");
+  if (!(bound > 0 && bound <= 1e4)) throw std::invalid_argument("bound is not a positive number of at most 10000");
+  constexpr std::uint32_t kMostGenus = 4;
+  if (surface.genus() > kMostGenus) throw LimitError("the characters of a surface of genus 5 or more are too many");
+  constexpr const char* kEpsilon = "0.4";
+  NetOptions of_net;
+  of_net.threads = options.threads;
+  const certify::NetDocument net = compute_net(surface, options.epsilon.value_or(Length(kEpsilon)), of_net).document;
+  const NetGeometry geometry(net);
+  const CubeProofs proofs(surface, geometry, bound);
+  // λ₀ is the same at the inverse character: half of the torus is enough.
+  std::vector<Cube> open;
+  halve({TorusPoint(2 * surface.genus(), Rational(0)), Rational(1, 2)}, open);
+  std::erase_if(open, [](const Cube& cube) { return cube.centre.front() < 0; });
+  const unsigned threads = certify::thread_count(options.threads);
+  std::mutex mutex;
+  std::size_t boxes = 0;
+  double left = 1;  // Of that half, the part that is not done.
+  const auto is_done = [&](const Cube& cube) {
+    left -= 2 * std::pow(2 * static_cast<double>(cube.radius), 2.0 * surface.genus());
+    if (options.progress) options.progress("boxes", 1 - std::max(left, 0.0));
+  };
+  while (!open.empty()) {
+    if (boxes + open.size() > options.most) {
+      throw NetError("it takes more than " + std::to_string(options.most) +
+                     " boxes: the bound is near the least value, or the radius small");
+    }
+    std::vector<std::vector<Cube>> parts(open.size());
+    std::vector<char> is_false(open.size(), 0);
+    certify::for_each_parallel(open.size(), threads, [&](unsigned, std::size_t i) {
+      const auto document = proofs.proof(open[i]);
+      if (!document) {
+        is_false[i] = static_cast<char>(is_outside(open[i].centre, radius) && !proofs.holds_in_centre(open[i]));
+        return halve(open[i], parts[i]);
+      }
+      (void)proof_of(*document, 1);
+      const std::lock_guard lock(mutex);
+      if (options.each) options.each(boxes, *document);
+      ++boxes;
+      is_done(open[i]);
+    });
+    const auto first = std::find(is_false.begin(), is_false.end(), 1) - is_false.begin();
+    if (first < std::ssize(open))
+      throw NetError("not proved at the phases " + text_of(open[static_cast<std::size_t>(first)].centre));
+    open.clear();
+    for (const std::vector<Cube>& of_cube : parts) {
+      for (const Cube& part : of_cube) is_near_0(part, radius) ? is_done(part) : open.push_back(part);
+    }
+  }
+  return boxes;
+}
+
+}  // namespace epsnet
