@@ -13,6 +13,12 @@
 namespace epsnet {
 namespace {
 
+/// Of 64 bits, as that of GMP: in the WebAssembly module std::int64_t is another type, which gmpxx does not multiply.
+long to_long(std::int64_t x) {
+  static_assert(sizeof(long) == sizeof(std::int64_t));
+  return x;
+}
+
 /// Words are reduced in time that is quadratic in that, at worst.
 constexpr std::size_t kMostLetters = 10'000;
 
@@ -216,7 +222,7 @@ ClosedCurve MappingClassGroup::image(const MappingClass& f, const ClosedCurve& c
   const Matrix matrix = homology(f);
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     mpz_class sum;
-    for (std::size_t j = 0; j < matrix.size(); ++j) sum += matrix[i][j] * curve.homology[j];
+    for (std::size_t j = 0; j < matrix.size(); ++j) sum += matrix[i][j] * to_long(curve.homology[j]);
     result.homology[i] = sum.get_si();
   }
   return result;
@@ -231,9 +237,9 @@ Matrix MappingClassGroup::homology(const MappingClass& f) const {
     const std::vector<std::int64_t>& c = curve.homology;
     for (std::vector<mpz_class>& row : result) {
       mpz_class along;
-      for (std::size_t i = 0; i < size; ++i) along += row[i] * c[i];
+      for (std::size_t i = 0; i < size; ++i) along += row[i] * to_long(c[i]);
       along *= twist.power;
-      for (std::size_t j = 0; j < size; ++j) row[j] -= along * product_with_basis(c, j);
+      for (std::size_t j = 0; j < size; ++j) row[j] -= along * to_long(product_with_basis(c, j));
     }
   }
   return result;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <mutex>
 #include <numbers>
 #include <optional>
@@ -186,13 +185,15 @@ struct Cube {
 };
 
 /// The halves in all directions.
-void halve(const Cube& cube, std::vector<Cube>& parts) {
+std::vector<Cube> halves(const Cube& cube) {
+  std::vector<Cube> result;
   const Rational radius = cube.radius / 2;
   for (std::uint64_t part = 0; part < std::uint64_t{1} << cube.centre.size(); ++part) {
-    Cube& half = parts.emplace_back(Cube{cube.centre, radius});
+    Cube& half = result.emplace_back(Cube{cube.centre, radius});
     for (std::size_t k = 0; k < cube.centre.size(); ++k)
       half.centre[k] += (part >> k & 1) != 0 ? radius : Rational(-radius);
   }
+  return result;
 }
 
 bool is_outside(const TorusPoint& point, const Rational& radius) {
@@ -280,43 +281,45 @@ std::size_t gap_outside(const Surface& surface, const Rational& radius, double b
   const NetGeometry geometry(net);
   const CubeProofs proofs(surface, geometry, bound);
   // λ₀ is the same at the inverse character: half of the torus is enough.
-  std::vector<Cube> open;
-  halve({TorusPoint(2 * surface.genus(), Rational(0)), Rational(1, 2)}, open);
+  std::vector<Cube> open = halves({TorusPoint(2 * surface.genus(), Rational(0)), Rational(1, 2)});
   std::erase_if(open, [](const Cube& cube) { return cube.centre.front() < 0; });
   const unsigned threads = certify::thread_count(options.threads);
   std::mutex mutex;
   std::size_t boxes = 0;
-  double left = 1;  // Of that half, the part that is not done.
+  std::size_t before = 0;  // So many cubes were looked at.
+  double left = 1;         // Of that half, the part that is not done.
   const auto is_done = [&](const Cube& cube) {
     left -= 2 * std::pow(2 * static_cast<double>(cube.radius), 2.0 * surface.genus());
     if (options.progress) options.progress("boxes", 1 - std::max(left, 0.0));
   };
   while (!open.empty()) {
-    if (boxes + open.size() > options.most) {
-      throw NetError("it takes more than " + std::to_string(options.most) +
-                     " boxes: the bound is near the least value, or the radius small");
-    }
-    std::vector<std::vector<Cube>> parts(open.size());
-    std::vector<char> is_false(open.size(), 0);
+    enum class Cubes : char { proved, halved, refused };
+    std::vector<Cubes> found(open.size(), Cubes::proved);
     certify::for_each_parallel(open.size(), threads, [&](unsigned, std::size_t i) {
       const auto document = proofs.proof(open[i]);
       if (!document) {
-        is_false[i] = static_cast<char>(is_outside(open[i].centre, radius) && !proofs.holds_in_centre(open[i]));
-        return halve(open[i], parts[i]);
+        const bool fails = is_outside(open[i].centre, radius) && !proofs.holds_in_centre(open[i]);
+        found[i] = fails ? Cubes::refused : Cubes::halved;
+        return;
       }
       (void)proof_of(*document, 1);
       const std::lock_guard lock(mutex);
-      if (options.each) options.each(boxes, *document);
+      if (options.each) options.each(before + i, *document);
       ++boxes;
       is_done(open[i]);
     });
-    const auto first = std::find(is_false.begin(), is_false.end(), 1) - is_false.begin();
-    if (first < std::ssize(open))
-      throw NetError("not proved at the phases " + text_of(open[static_cast<std::size_t>(first)].centre));
-    open.clear();
-    for (const std::vector<Cube>& of_cube : parts) {
-      for (const Cube& part : of_cube) is_near_0(part, radius) ? is_done(part) : open.push_back(part);
+    before += open.size();
+    std::vector<Cube> next;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (found[i] == Cubes::refused) throw NetError("not proved at the phases " + text_of(open[i].centre));
+      if (found[i] == Cubes::proved) continue;
+      for (Cube& half : halves(open[i])) is_near_0(half, radius) ? is_done(half) : next.push_back(std::move(half));
+      if (boxes + next.size() > options.most) {
+        throw NetError("it takes more than " + std::to_string(options.most) +
+                       " boxes: the bound is near the least value, or the radius small");
+      }
     }
+    open = std::move(next);
   }
   return boxes;
 }

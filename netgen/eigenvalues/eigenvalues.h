@@ -86,7 +86,7 @@ struct GapOptions {
   std::size_t most = 1'000'000;        ///< At most so many boxes.
   unsigned threads = 0;                ///< 0: as many as the machine has cores. The result is the same for any number.
   Progress progress = {};              ///< Called occasionally, if given.
-  /// Called for each box with its number and its document, which is proved, one after the other in any order.
+  /// Called for each box with a number of its own and its document, which is proved, one after the other in any order.
   std::function<void(std::size_t, const certify::EigenvaluesDocument&)> each = {};
 };
 

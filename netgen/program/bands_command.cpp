@@ -269,7 +269,11 @@ void find_gap(const GapRequest& request) {
   GapOptions options{.most = request.most, .threads = request.threads};
   if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
   std::vector<NewFile> files;
-  if (!request.keep.empty()) options.each = keeper(request.keep, "box-", files);
+  if (!request.keep.empty()) {
+    constexpr std::size_t kMostFiles = 100'000;  // They are written together, at the end.
+    options.most = std::min(options.most, kMostFiles);
+    options.each = keeper(request.keep, "box-", files);
+  }
   std::size_t boxes = 0;
   {
     ProgressLine progress;
@@ -305,7 +309,9 @@ void add_gap_command(CLI::App& app, Job& chosen) {
       ->check(integer_between(1, 100'000'000))
       ->option_text("N [" + std::to_string(shared->most) + "]");
   command->add_option("--epsilon", shared->epsilon, "of the net [0.4]")->option_text("E");
-  command->add_option("--keep", shared->keep, "write the eigenvalues file of each box into this folder, for certify")
+  command
+      ->add_option("--keep", shared->keep,
+                   "write the eigenvalues file of each box into this folder, for certify; at most 100000")
       ->option_text("FOLDER");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);

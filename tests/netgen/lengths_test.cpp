@@ -46,7 +46,7 @@ Made made(const PantsGraph& graph, std::uint64_t seed) {
 
 TEST(LengthDerivatives, TheLengthIsThatOfTheSurface) {
   for (const char* graph : {"0-1 0-1 0-1", "0-0 0-1 1-1", "0-1 0-2 0-3 1-2 1-3 2-3"}) {
-    for (std::uint64_t seed = 1; seed < 5; ++seed) {
+    for (std::uint64_t seed = 1; seed < 3; ++seed) {
       const auto [coordinates, surface] = made(PantsGraph::parse(graph), seed);
       for (const Word& word : geodesics_up_to(surface, "6"))
         EXPECT_NEAR(middle(length_derivatives(coordinates, word).length), length_of(surface, word), 1e-12);
@@ -57,10 +57,11 @@ TEST(LengthDerivatives, TheLengthIsThatOfTheSurface) {
 TEST(LengthDerivatives, DerivativesAreDifferenceQuotients) {
   constexpr double kStep = 1e-6;
   std::size_t compared = 0;
-  for (const char* graph : {"0-1 0-1 0-1", "0-0 0-1 1-1", "0-1 0-2 0-3 1-2 1-3 2-3"}) {
+  for (const auto& [graph, length] : {std::pair("0-1 0-1 0-1", "5"), std::pair("0-0 0-1 1-1", "5"),
+                                      std::pair("0-1 0-2 0-3 1-2 1-3 2-3", "4")}) {
     const Made surface = made(PantsGraph::parse(graph), 7);
     const EnclosedCoordinates& coordinates = surface.coordinates;
-    for (const Word& word : geodesics_up_to(surface.surface, "5")) {
+    for (const Word& word : geodesics_up_to(surface.surface, length)) {
       const LengthDerivatives at = length_derivatives(coordinates, word, true);
       const LengthDerivatives first_order = length_derivatives(coordinates, word);
       for (std::size_t i = 0; i < at.gradient.size(); ++i) {

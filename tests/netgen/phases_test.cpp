@@ -198,7 +198,7 @@ TEST(PhasedElements, HaveTheEigenvaluesOfTheDenseMatrices) {
       TorusPoint character = one_phase(surface, turns);
       character.back() = 2 * turns;
       // Dense matrices of more rows take long.
-      const std::uint32_t halvings = net.triangles.size() < 50 ? 1 : 0;
+      const std::uint32_t halvings = net.triangles.size() < 30 ? 1 : 0;
       const Elements elements(NetGeometry(net), halvings, turns_of(net, phases_of_sides(surface, character)));
       for (const ElementMatrices& matrices : {elements.lower(), elements.upper()}) {
         EXPECT_EQ(matrices.is_real(), is_whole(2 * turns)) << name << ' ' << turns;
@@ -321,16 +321,17 @@ void expect_those_of_a_cover(const std::string& name, const Surface& surface, in
 }
 
 TEST(PhasedEigenvalues, OfAllPowersAreThoseOfACyclicCover) {
-  for (const auto& [name, surface] : {std::pair("octagon", octagon()), std::pair("Bolza", bolza()),
-                                      std::pair("Klein", klein()), std::pair("genus 3", of_genus(3))}) {
-    for (const int n : {2, 3}) expect_those_of_a_cover(name, surface, n);
+  for (const int n : {2, 3}) {
+    expect_those_of_a_cover("octagon", octagon(), n);
+    expect_those_of_a_cover("Bolza", bolza(), n);
   }
 }
 
-TEST(DeepPhasedEigenvalues, OfAllPowersAreThoseOfACyclicCoverOfDegreeFive) {
-  for (const auto& [name, surface] :
-       {std::pair("octagon", octagon()), std::pair("Bolza", bolza()), std::pair("Klein", klein())})
-    expect_those_of_a_cover(name, surface, 5);
+TEST(DeepPhasedEigenvalues, OfAllPowersAreThoseOfACyclicCover) {
+  for (const int n : {2, 3}) expect_those_of_a_cover("genus 3", of_genus(3), n);
+  for (const int n : {2, 3, 5}) expect_those_of_a_cover("Klein", klein(), n);
+  expect_those_of_a_cover("octagon", octagon(), 5);
+  expect_those_of_a_cover("Bolza", bolza(), 5);
 }
 
 TEST(PhasedEigenvalues, WithoutPhasesAreThoseOfFunctionsAndZero) {
@@ -558,6 +559,7 @@ TEST(Boxes, AreAroundPhasesAndNotMoreThanHalfATurnWide) {
 TEST(Gap, IsProvedByBoxesThatCoverHalfOfTheTorus) {
   const Surface surface = bolza();
   std::vector<EigenvaluesDocument> boxes;
+  std::set<std::size_t> numbers;
   const Rational outside(3, 8);
   const std::size_t count =
       gap_outside(surface, outside, 1e-4,
@@ -593,7 +595,7 @@ TEST(Gap, IsProvedByBoxesThatCoverHalfOfTheTorus) {
 
 TEST(Gap, TakesMoreBoxesForAGreaterBoundAndIsTheSameForAnyNumberOfThreads) {
   const auto boxes = [](double bound, unsigned threads) {
-    return gap_outside(bolza(), Rational(7, 16), bound, {.epsilon = Length("0.8"), .threads = threads});
+    return gap_outside(bolza(), Rational(7, 16), bound, {.epsilon = Length("1"), .threads = threads});
   };
   EXPECT_EQ(boxes(1e-6, 1), boxes(1e-6, 3));
   EXPECT_LT(boxes(1e-6, 0), boxes(2e-2, 0));
