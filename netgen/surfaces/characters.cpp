@@ -13,7 +13,7 @@ namespace epsnet {
 namespace {
 
 /// The phases of a file are multiples of 1/n for an n of at most that (docs/format.md).
-constexpr std::int64_t kGreatestDenominator = 1'000'000'000'000'000'000;
+constexpr long kGreatestDenominator = 1'000'000'000'000'000'000;
 constexpr std::size_t kMostCharacters = 40;
 
 /// The graph of the vertices and the pairs of sides of the fundamental polygon. Vertex v is where the sides of relation

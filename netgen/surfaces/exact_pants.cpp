@@ -433,12 +433,7 @@ class PantsBuilder {
     return number(coordinates_.graph.edges().size() + pants_count() + e);
   }
   [[nodiscard]] size_t pants_count() const { return coordinates_.graph.pants_count(); }
-  [[nodiscard]] AlgebraicNumber constant(const Rational& x) const {
-    AlgebraicNumber result{&reader_, {}};
-    const mpq_class value = to_gmp(x);
-    fmpq_poly_set_mpq(result.value.get(), value.get_mpq_t());
-    return result;
-  }
+  [[nodiscard]] AlgebraicNumber constant(const Rational& x) const { return {&reader_, epsnet::constant(to_gmp(x))}; }
   [[nodiscard]] AlgebraicNumber squared_sinh(size_t e) const { return cosh(e) * cosh(e) - constant(1); }
 
   /// Moves along the circle |z| = s by the distance with this tanh of its half, divided by s.

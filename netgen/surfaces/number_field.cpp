@@ -7,7 +7,9 @@
 #endif
 #include <algorithm>
 #include <flint/fmpq_mat.h>
+#ifndef __EMSCRIPTEN__
 #include <flint/fmpz_poly_factor.h>
+#endif
 #include <optional>
 #include <string>
 
@@ -39,6 +41,8 @@ mpq_class coefficient(const RationalPolynomial& x, slong k) {
   return result;
 }
 
+}  // namespace
+
 RationalPolynomial constant(const mpq_class& x) {
   RationalPolynomial result;
   FlintRational value;
@@ -46,6 +50,8 @@ RationalPolynomial constant(const mpq_class& x) {
   fmpq_poly_set_coeff_fmpq(result.get(), 0, value.get());
   return result;
 }
+
+namespace {
 
 bool is_zero(const RationalPolynomial& x) { return fmpq_poly_is_zero(x.get()) != 0; }
 bool is_constant(const RationalPolynomial& x) { return fmpq_poly_degree(x.get()) <= 0; }
@@ -115,6 +121,11 @@ std::vector<certify::Ball> real_roots(const Polynomial& f) {
 }
 
 /// The irreducible factors of a polynomial, each once.
+#ifdef __EMSCRIPTEN__
+std::vector<Polynomial> factors_of(const Polynomial& /*f*/) {
+  throw LimitError("the WebAssembly module does not factor polynomials, which takes 2,000 files of FLINT");
+}
+#else
 std::vector<Polynomial> factors_of(const Polynomial& f) {
   fmpz_poly_factor_t factors;
   fmpz_poly_factor_init(factors);
@@ -124,6 +135,7 @@ std::vector<Polynomial> factors_of(const Polynomial& f) {
   fmpz_poly_factor_clear(factors);
   return result;
 }
+#endif
 
 /// Numbers of K[t]/(p) for the polynomial p of degree m over K = ℚ(α): polynomials in t of less degree.
 using Extended = std::vector<RationalPolynomial>;

@@ -189,6 +189,8 @@ struct RationalPolynomialType {
 
 /// A polynomial over ℚ.
 using RationalPolynomial = certify::Owner<RationalPolynomialType>;
+/// The polynomial of degree 0, or 0.
+[[nodiscard]] RationalPolynomial constant(const mpq_class& x);
 
 [[nodiscard]] inline mpz_class denominator_of(const RationalPolynomial& x) {
   certify::Integer result;

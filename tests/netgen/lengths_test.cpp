@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "netgen/curves/closed_curves.h"
@@ -57,8 +58,8 @@ TEST(LengthDerivatives, TheLengthIsThatOfTheSurface) {
 TEST(LengthDerivatives, DerivativesAreDifferenceQuotients) {
   constexpr double kStep = 1e-6;
   std::size_t compared = 0;
-  for (const auto& [graph, length] : {std::pair("0-1 0-1 0-1", "5"), std::pair("0-0 0-1 1-1", "5"),
-                                      std::pair("0-1 0-2 0-3 1-2 1-3 2-3", "4")}) {
+  for (const auto& [graph, length] :
+       {std::pair("0-1 0-1 0-1", "5"), std::pair("0-0 0-1 1-1", "5"), std::pair("0-1 0-2 0-3 1-2 1-3 2-3", "4")}) {
     const Made surface = made(PantsGraph::parse(graph), 7);
     const EnclosedCoordinates& coordinates = surface.coordinates;
     for (const Word& word : geodesics_up_to(surface.surface, length)) {
