@@ -446,7 +446,7 @@ class EigenvaluesCheck {
       const auto at_most = [](const Ball& x, const Ball& y) { return certainly_less(y, x) == Tri::no; };
       if (!at_most(Ball::exactly(rows[i].in.lower), lambda - Ball::exactly(*error)) ||
           !at_most(lambda + Ball::exactly(*error), Ball::exactly(rows[i].in.upper))) {
-        doubt = row + "eigenvalues are proved only within " + decimal_above(*error, 3) + " of lambda";
+        doubt = row + "eigenvalues are proved only within " + decimal_above(*error, 11) + " of lambda";
         return Tri::no;
       }
     }
