@@ -310,10 +310,10 @@ void expect_those_of_a_cover(const std::string& name, const Surface& surface, in
     of_powers.insert(of_powers.end(), found.begin(), found.end());
     next = std::min(next, document.next);
   }
+  const EigenvaluesDocument cover = unproved::eigenvalues(cyclic_cover(surface, turns, n), {.count = 8, .digits = 2});
+  expect_verified(cover);
   std::vector<Interval> of_cover{{0, 0}};
-  for (const Interval& in :
-       intervals(unproved::eigenvalues(cyclic_cover(surface, turns, n), {.count = 8, .digits = 2})))
-    of_cover.push_back(in);
+  for (const Interval& in : intervals(cover)) of_cover.push_back(in);
   // Not more than all powers are known to have.
   std::erase_if(of_cover, [&](const Interval& in) { return in.upper >= next; });
   EXPECT_GE(of_cover.size(), 3U) << name << ' ' << n;
