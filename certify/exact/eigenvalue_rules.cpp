@@ -132,6 +132,7 @@ using Document = EigenvaluesDocument;
 
 constexpr std::size_t kMostTriangles = 100'000;      ///< Halved ones.
 constexpr std::size_t kMostValuesOfBox = 1'000'000;  ///< For each direction corners of triangles and letters.
+constexpr std::size_t kTogether = 4;                 ///< Directions of a box of which all signs are tried.
 constexpr std::size_t kMultiplications =
     2000;  ///< Of all factorisations of a rule, for each lift that a list may ask for.
 
@@ -309,8 +310,8 @@ class EigenvalueRules {
         }
       }
       Interval of_all;
-      for (std::size_t first = 0; first < steps.size(); first += 4) {
-        const std::size_t last = std::min(first + 4, steps.size());
+      for (std::size_t first = 0; first < steps.size(); first += kTogether) {
+        const std::size_t last = std::min(first + kTogether, steps.size());
         Interval of_group;
         // With all signs, up to the sign of the sum.
         for (unsigned signs = 0; signs < 1U << (last - first - 1); ++signs) {

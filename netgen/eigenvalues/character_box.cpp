@@ -27,25 +27,6 @@ using certify::EigenvaluesDocument;
 /// More than what rounding changes of a distance.
 constexpr double kRoomOfDistances = 1 + 1e-9;
 
-/// The flat triangle with the corners of a triangle of a net.
-struct ChordTriangle {
-  std::array<double, 3> cotangent;  ///< By corner.
-  double area;
-  double cosh;  ///< Of the circumradius of the triangle.
-};
-
-ChordTriangle chord_triangle(const NetGeometry& geometry, std::uint32_t t) {
-  std::array<double, 3> square;  // Of the sides, the one opposite to corner i at i.
-  for (std::uint32_t i = 0; i < 3; ++i)
-    square[(i + 2) % 3] = 4 * std::pow(std::sinh(geometry.edge_length(3 * t + i) / 2), 2);
-  ChordTriangle result{};
-  result.area = std::sqrt(4 * square[0] * square[1] - std::pow(square[0] + square[1] - square[2], 2)) / 4;
-  for (std::size_t i = 0; i < 3; ++i)
-    result.cotangent[i] = (square[(i + 1) % 3] + square[(i + 2) % 3] - square[i]) / (4 * result.area);
-  result.cosh = std::sqrt(1 + square[0] * square[1] * square[2] / std::pow(4 * result.area, 2));
-  return result;
-}
-
 /// The steps of a character, by side: whole numbers, 1 for the side with this number in character_sides, 0 for others.
 std::vector<std::int64_t> steps_of(const Surface& surface, std::size_t direction) {
   // More than twice any of them: what flows along an edge comes from one cycle.
@@ -72,46 +53,67 @@ std::vector<double> steps_at_corners(const certify::NetDocument& net, const std:
   return result;
 }
 
-/// By vertex, the heights of the function of least energy: for each triangle and side the cotangent of the opposite
-/// angle times the square of the difference of the ends, in the triangle's chart. Files have six decimals of them.
-std::vector<double> heights_of(const certify::NetDocument& net, const std::vector<ChordTriangle>& triangles,
-                               const std::vector<double>& steps) {
-  const std::size_t vertices = net.vertices.size();
-  // That of vertex 0 is 0.
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertices - 1));
-  const auto add = [&](std::uint32_t i, std::uint32_t j, double value) {
-    if (i > 0 && j > 0) entries.emplace_back(static_cast<int>(i - 1), static_cast<int>(j - 1), value);
-  };
-  for (std::uint32_t dart = 0; dart < steps.size(); ++dart) {
-    const std::uint32_t i = certify::start(net, dart);
-    const std::uint32_t j = certify::start(net, certify::next_dart(dart));
-    if (i == j) continue;
-    const double weight = triangles[dart / 3].cotangent[(dart + 2) % 3];
-    const double rise = steps[certify::next_dart(dart)] - steps[dart];
-    add(i, i, weight);
-    add(j, j, weight);
-    add(i, j, -weight);
-    add(j, i, -weight);
-    if (i > 0) right[i - 1] += weight * rise;
-    if (j > 0) right[j - 1] -= weight * rise;
+/// Functions of least energy: for each triangle and side the cotangent of the opposite angle times the square of the
+/// difference of the ends, in the triangle's chart.
+class LeastEnergy {
+ public:
+  LeastEnergy(const certify::NetDocument& net, const std::vector<FlatTriangle>& triangles)
+      : net_(net), triangles_(triangles) {
+    std::vector<Eigen::Triplet<double>> entries;
+    each_side([&](std::uint32_t i, std::uint32_t j, std::uint32_t /*dart*/, double weight) {
+      const auto add = [&](std::uint32_t row, std::uint32_t column, double value) {
+        if (row > 0 && column > 0) entries.emplace_back(static_cast<int>(row - 1), static_cast<int>(column - 1), value);
+      };
+      add(i, i, weight);
+      add(j, j, weight);
+      add(i, j, -weight);
+      add(j, i, -weight);
+    });
+    const auto size = static_cast<Eigen::Index>(net.vertices.size() - 1);
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    if (size > 0) solver_.compute(matrix);
   }
-  std::vector<double> result(vertices, 0);
-  if (vertices == 1) return result;
-  Eigen::SparseMatrix<double> matrix(right.size(), right.size());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::VectorXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
-  constexpr double kParts = 1e6;
-  for (std::size_t v = 1; v < vertices; ++v)
-    result[v] = std::round(solution[static_cast<Eigen::Index>(v - 1)] * kParts) / kParts;
-  return result;
-}
+
+  /// By vertex, the heights of the function with these steps at the corners, that of vertex 0 being 0. Files have six
+  /// decimals of them.
+  [[nodiscard]] std::vector<double> heights(const std::vector<double>& steps) const {
+    std::vector<double> result(net_.vertices.size(), 0);
+    if (result.size() == 1) return result;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(result.size() - 1));
+    each_side([&](std::uint32_t i, std::uint32_t j, std::uint32_t dart, double weight) {
+      const double rise = steps[certify::next_dart(dart)] - steps[dart];
+      if (i > 0) right[i - 1] += weight * rise;
+      if (j > 0) right[j - 1] -= weight * rise;
+    });
+    const Eigen::VectorXd solution = solver_.solve(right);
+    constexpr double kParts = 1e6;
+    for (std::size_t v = 1; v < result.size(); ++v)
+      result[v] = std::round(solution[static_cast<Eigen::Index>(v - 1)] * kParts) / kParts;
+    return result;
+  }
+
+ private:
+  /// Calls visit(i, j, dart, weight) for the darts from a vertex i to another one, j.
+  template <class Visit>
+  void each_side(const Visit& visit) const {
+    for (std::uint32_t dart = 0; dart < 3 * triangles_.size(); ++dart) {
+      const std::uint32_t i = certify::start(net_, dart);
+      const std::uint32_t j = certify::start(net_, certify::next_dart(dart));
+      if (i != j) visit(i, j, dart, triangles_[dart / 3].cotangent[(dart + 2) % 3]);
+    }
+  }
+
+  const certify::NetDocument& net_;
+  const std::vector<FlatTriangle>& triangles_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+};
 
 /// The values of a function in the corners of a triangle.
 using Heights = std::array<double, 3>;
 
 /// The slope of a function on a triangle is at most that.
-double slope(const ChordTriangle& triangle, const Heights& h) {
+double slope(const FlatTriangle& triangle, const Heights& h) {
   double twice_energy = 0;
   for (std::size_t i = 0; i < 3; ++i)
     twice_energy += triangle.cotangent[i] * std::pow(h[(i + 1) % 3] - h[(i + 2) % 3], 2);
@@ -119,7 +121,7 @@ double slope(const ChordTriangle& triangle, const Heights& h) {
 }
 
 /// Of Σ ±h_k with any signs, the greatest: in groups of four, of which the slopes are added up.
-double greatest_slope(const ChordTriangle& triangle, const std::vector<Heights>& heights) {
+double greatest_slope(const FlatTriangle& triangle, const std::vector<Heights>& heights) {
   constexpr std::size_t kInGroup = 4;
   double result = 0;
   for (std::size_t first = 0; first < heights.size(); first += kInGroup) {
@@ -141,13 +143,13 @@ double greatest_slope(const ChordTriangle& triangle, const std::vector<Heights>&
 
 CharacterDirections::CharacterDirections(const Surface& surface, const NetGeometry& geometry) {
   const certify::NetDocument& net = geometry.document();
-  std::vector<ChordTriangle> triangles;
-  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) triangles.push_back(chord_triangle(geometry, t));
+  const std::vector<FlatTriangle> triangles = Elements(geometry, 0).triangles();
+  const LeastEnergy energy(net, triangles);
   std::vector<std::vector<Heights>> at_corners(triangles.size());
   for (std::size_t k = 0; k < 2 * surface.genus(); ++k) {
     std::vector<std::int64_t> steps = steps_of(surface, k);
     const std::vector<double> of_darts = steps_at_corners(net, steps);
-    std::vector<double> heights = heights_of(net, triangles, of_darts);
+    std::vector<double> heights = energy.heights(of_darts);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       Heights& h = at_corners[t].emplace_back();
       for (std::uint32_t i = 0; i < 3; ++i) h[i] = heights[certify::start(net, 3 * t + i)] + of_darts[3 * t + i];
@@ -212,9 +214,13 @@ class CubeProofs {
       : surface_(surface), geometry_(geometry), directions_(surface, geometry), bound_(bound) {
     constexpr double kGreatestErrorOfMatrix = 0.08;  // Relative, of eigenvalues.
     constexpr std::uint32_t kMostHalvings = 5;
-    while (halvings_ < kMostHalvings && Elements(geometry, halvings_).interpolation() > kGreatestErrorOfMatrix)
-      ++halvings_;
-    order_ = elimination_order(Elements(geometry, halvings_).lower().energy);
+    for (;; ++halvings_) {
+      const Elements elements(geometry, halvings_);
+      interpolation_ = elements.interpolation();
+      if (halvings_ < kMostHalvings && interpolation_ > kGreatestErrorOfMatrix) continue;
+      order_ = elimination_order(elements.lower().energy);
+      return;
+    }
   }
 
   /// The document; nothing if eigenvalues near the centre may be too small.
@@ -242,13 +248,9 @@ class CubeProofs {
  private:
   /// σ, if there are no eigenvalues below a number.
   [[nodiscard]] std::optional<double> counted(const ById<SideId, Rational>& phases, double below) const {
-    std::vector<double> turns{0};
-    for (const certify::NetDocument::Label& label : geometry_.document().labels)
-      turns.push_back(phase_of_word(phases, label.word));
-    const Elements elements(geometry_, halvings_, turns);
-    const double room = 1 - elements.interpolation() * (1 + 1e-10) * below;
-    if (room <= 0) return std::nullopt;
-    const double sigma = below / room * (1 + 1e-12);
+    const double sigma = sigma_for(below, interpolation_);
+    if (!std::isfinite(sigma)) return std::nullopt;
+    const Elements elements(geometry_, halvings_, turns_of_labels(geometry_.document(), phases));
     const certify::Inertia found = inertia(elements.lower(), order_, sigma, certify::Bound::upper, 1, 0);
     return found.proved && found.negative == 0 ? std::optional(sigma) : std::nullopt;
   }
@@ -258,6 +260,7 @@ class CubeProofs {
   CharacterDirections directions_;
   double bound_;
   std::uint32_t halvings_ = 0;
+  double interpolation_ = 0;  ///< H
   std::vector<std::uint32_t> order_;
 };
 
@@ -277,6 +280,7 @@ std::size_t gap_outside(const Surface& surface, const Rational& radius, double b
   constexpr const char* kEpsilon = "0.4";
   NetOptions of_net;
   of_net.threads = options.threads;
+  of_net.progress = options.progress;
   const certify::NetDocument net = compute_net(surface, options.epsilon.value_or(Length(kEpsilon)), of_net).document;
   const NetGeometry geometry(net);
   const CubeProofs proofs(surface, geometry, bound);

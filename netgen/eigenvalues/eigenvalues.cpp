@@ -88,10 +88,7 @@ struct Level {
         interpolation(elements.interpolation()) {}
 
   /// σ for which the eigenvalues that are counted are those less than τ.
-  [[nodiscard]] double sigma(double tau) const {
-    const double room = 1 - interpolation * (1 + 1e-10) * tau;
-    return room > 0 ? tau / room * (1 + 1e-12) : HUGE_VAL;
-  }
+  [[nodiscard]] double sigma(double tau) const { return sigma_for(tau, interpolation); }
 
   std::uint32_t halvings;
   Elements elements;
@@ -200,7 +197,7 @@ class Search {
 
   /// Goes on at the present size of triangles: until the document is there but for its net, or smaller ones are needed.
   void run() {
-    if (!phases_.empty() && turns_.empty()) set_turns();
+    if (!phases_.empty() && turns_.empty()) turns_ = turns_of_labels(net_.document(), phases_);
     if (options_.below && !options_.digits) return count_below();
     const bool functions_too = many_digits(options_);
     while (!done_ && excess_ <= 1) {
@@ -232,12 +229,6 @@ class Search {
   }
 
  private:
-  void set_turns() {
-    turns_ = {0};
-    for (const certify::NetDocument::Label& label : net_.document().labels)
-      turns_.push_back(phase_of_word(phases_, label.word));
-  }
-
   [[nodiscard]] Level level(std::uint32_t halvings) const {
     const double triangles = static_cast<double>(net_.document().triangles.size()) * std::pow(4.0, halvings);
     if (triangles > kMostTriangles) {

@@ -20,6 +20,7 @@
 #include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/characters.h"
 
 namespace epsnet {
 namespace {
@@ -101,37 +102,6 @@ std::vector<Triangle> halved(const std::vector<Triangle>& whole, std::uint32_t v
   return result;
 }
 
-/// A flat triangle by the squares of its sides.
-struct Flat {
-  explicit Flat(const Triple& of_sides) : squares(of_sides) {
-    area = std::sqrt(4 * squares[0] * squares[1] - std::pow(squares[0] + squares[1] - squares[2], 2)) / 4;
-    const double squared_radius = squares[0] * squares[1] * squares[2] / (16 * area * area);
-    radius = std::sqrt(squared_radius);
-    cosh = std::sqrt(1 + squared_radius);
-    mean_power = (squares[0] + squares[1] + squares[2]) / 12;
-    trace = squared_radius - mean_power;
-    double parts = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      cotangent[k] = (squares[(k + 1) % 3] + squares[(k + 2) % 3] - squares[k]) / (4 * area);
-      parts += std::pow(squares[k] * cotangent[k] / 4, 2);
-    }
-    greater = trace / 2 + std::sqrt(std::max(0.0, trace * trace / 4 - (4 * parts - area * area) / 36));
-  }
-
-  [[nodiscard]] double mean_of_inverse(double c) const {
-    return 1 / (1 - c) - trace / (2 * cosh * (1 - c) * (cosh - c)) + greater / ((1 - c * cosh) * (cosh - c));
-  }
-
-  Triple squares;
-  double area;
-  double radius;
-  double cosh;
-  double mean_power;
-  double trace;
-  double greater;
-  Triple cotangent{};
-};
-
 /// What a triangle adds: for the squares of three values, and for the products of the other two.
 struct LocalForms {
   Triple energy_square;
@@ -151,7 +121,7 @@ struct Weights {
   double product_across;
 };
 
-LocalForms local_forms(const Flat& flat, double energy, double constant, double slope, const Weights& w) {
+LocalForms local_forms(const FlatTriangle& flat, double energy, double constant, double slope, const Weights& w) {
   LocalForms result{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double others = flat.squares[(i + 1) % 3] + flat.squares[(i + 2) % 3];
@@ -166,14 +136,14 @@ LocalForms local_forms(const Flat& flat, double energy, double constant, double 
   return result;
 }
 
-LocalForms lower_forms(const Flat& flat) {
+LocalForms lower_forms(const FlatTriangle& flat) {
   const double c = 1 / (1 + flat.radius);
   const double square = flat.cosh * flat.cosh;
   const double kappa = (square + flat.cosh + 1) / (square * (flat.cosh + 1));
   return local_forms(flat, 4 * (c + 1 / flat.mean_of_inverse(c)), flat.cosh, kappa, {1.0 / 3, 0, 7, 3, -1, 1});
 }
 
-LocalForms upper_forms(const Flat& flat) {
+LocalForms upper_forms(const FlatTriangle& flat) {
   const double mean = 1 + flat.mean_power;
   const double density = flat.cosh / (mean * std::sqrt(mean));
   const double slope = 1.5 / mean;
@@ -199,6 +169,36 @@ std::complex<double> unit(double turns) {
 }
 
 }  // namespace
+
+FlatTriangle::FlatTriangle(const std::array<double, 3>& of_sides) : squares(of_sides) {
+  area = std::sqrt(4 * squares[0] * squares[1] - std::pow(squares[0] + squares[1] - squares[2], 2)) / 4;
+  const double squared_radius = squares[0] * squares[1] * squares[2] / (16 * area * area);
+  radius = std::sqrt(squared_radius);
+  cosh = std::sqrt(1 + squared_radius);
+  mean_power = (squares[0] + squares[1] + squares[2]) / 12;
+  trace = squared_radius - mean_power;
+  double parts = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    cotangent[k] = (squares[(k + 1) % 3] + squares[(k + 2) % 3] - squares[k]) / (4 * area);
+    parts += std::pow(squares[k] * cotangent[k] / 4, 2);
+  }
+  greater = trace / 2 + std::sqrt(std::max(0.0, trace * trace / 4 - (4 * parts - area * area) / 36));
+}
+
+double FlatTriangle::mean_of_inverse(double c) const {
+  return 1 / (1 - c) - trace / (2 * cosh * (1 - c) * (cosh - c)) + greater / ((1 - c * cosh) * (cosh - c));
+}
+
+std::vector<double> turns_of_labels(const certify::NetDocument& net, const ById<SideId, Rational>& phases) {
+  std::vector<double> result{0};
+  for (const certify::NetDocument::Label& label : net.labels) result.push_back(phase_of_word(phases, label.word));
+  return result;
+}
+
+double sigma_for(double tau, double interpolation) {
+  const double room = 1 - interpolation * (1 + 1e-10) * tau;
+  return room > 0 ? tau / room * (1 + 1e-12) : HUGE_VAL;
+}
 
 Elements::Elements(const NetGeometry& geometry, std::uint32_t halvings, const std::vector<double>& turns) {
   const certify::NetDocument& net = geometry.document();
@@ -251,7 +251,7 @@ ElementMatrices Elements::assembled(const Numbers& numbers, const Turns& turns, 
   };
   bool is_real = true;
   for (std::size_t t = 0; t < squares_.size(); ++t) {
-    const LocalForms forms = local(Flat(squares_[t]));
+    const LocalForms forms = local(FlatTriangle(squares_[t]));
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t after = (i + 1) % 3;
       const std::size_t before = (i + 2) % 3;
@@ -293,7 +293,7 @@ ElementMatrices Elements::upper() const { return assembled(corners_, turns_of_co
 double Elements::interpolation() const {
   double greatest = 0;
   for (const Triple& squares : squares_) {
-    const Flat flat(squares);
+    const FlatTriangle flat(squares);
     const double longest = std::max({squares[0], squares[1], squares[2]});
     greatest = std::max(greatest, 0.1893 * 0.1893 * longest * flat.cosh * (1 + flat.radius));
   }

@@ -7,9 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "certify/net/document.h"
 #include "certify/numbers/inertia.h"
-#include "netgen/eigenvalues/elements.h"
+#include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
+#include "triangulation/surface/surface.h"
 
 /// Finite elements on the flat triangles with the corners of a net's triangles, which are halved: the matrices of
 /// docs/proof.md, section 17.1, rounded, and their eigenvalues.
@@ -26,10 +28,35 @@ struct ElementMatrices {
   [[nodiscard]] bool is_real() const { return imaginary_energy.size() == 0; }
 };
 
+/// A flat triangle by the squares of its sides, the one opposite to corner i at i.
+struct FlatTriangle {
+  explicit FlatTriangle(const std::array<double, 3>& of_sides);
+
+  /// m of Lemma 32.
+  [[nodiscard]] double mean_of_inverse(double c) const;
+
+  std::array<double, 3> squares;
+  double area;
+  double radius;                    ///< R
+  double cosh;                      ///< C
+  double mean_power;                ///< ω̄
+  double trace;                     ///< X
+  double greater;                   ///< Λ
+  std::array<double, 3> cotangent;  ///< By corner.
+};
+
+/// By label, 0 the identity: the phase of its word, from those of the sides (netgen/surfaces/characters.h).
+[[nodiscard]] std::vector<double> turns_of_labels(const certify::NetDocument& net,
+                                                  const ById<SideId, Rational>& phases);
+
+/// σ for which the eigenvalues that a matrix counts are those less than τ, with this constant H; infinity if there is
+/// none.
+[[nodiscard]] double sigma_for(double tau, double interpolation);
+
 /// The halved triangles, numbered as in docs/format.md.
 class Elements {
  public:
-  /// With phases (netgen/surfaces/characters.h), `turns` has those of the labels, by number, 0 for the identity. The
+  /// With phases `turns` are those of turns_of_labels. The
   /// value of a function in a corner, seen from the triangle, is that in the chart of the vertex, times the phase of
   /// the label; the value in the midpoint of a side is that seen from the triangle of the smaller dart. Nothing: no
   /// phases. O(triangles · 4^halvings).
@@ -45,6 +72,8 @@ class Elements {
   [[nodiscard]] ElementMatrices upper() const;
   /// H.
   [[nodiscard]] double interpolation() const;
+  /// All of them, by number.
+  [[nodiscard]] std::vector<FlatTriangle> triangles() const { return {squares_.begin(), squares_.end()}; }
 
  private:
   using Numbers = std::vector<std::array<std::uint32_t, 3>>;

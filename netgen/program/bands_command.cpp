@@ -193,6 +193,20 @@ TorusPoint parse_torus_point(const std::string& name, const std::string& text) {
   return result;
 }
 
+Rational parse_turn_distance(const std::string& name, const std::string& text) {
+  const TorusPoint numbers = parse_torus_point(name, text);
+  if (numbers.size() == 1 && numbers[0] > 0 && numbers[0] <= Rational(1, 2)) return numbers[0];
+  throw UsageError(name + ": expected one number of turns, more than 0 and at most 1/2, not " +
+                   certify::in_quotes(text));
+}
+
+double parse_eigenvalue(const std::string& name, const std::string& text) {
+  constexpr double kGreatest = 10'000;
+  const std::optional<double> value = certify::parse_binary64(with_leading_zero(text));
+  if (value && *value > 0 && *value <= kGreatest) return *value;
+  throw UsageError(name + ": expected a positive decimal of at most 10000, not " + certify::in_quotes(text));
+}
+
 void add_bands_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<BandsRequest>();
   CLI::App* command = app.add_subcommand("bands",
@@ -255,16 +269,9 @@ struct GapRequest {
 
 void find_gap(const GapRequest& request) {
   check_files({{"SURFACE", request.surface}}, {});
-  const Rational radius = parse_torus_point("--outside", request.outside).front();
-  if (radius <= 0 || radius >= Rational(1, 2))
-    throw UsageError("--outside: expected a number of turns between 0 and 1/2, not " +
-                     certify::in_quotes(request.outside));
-  const std::optional<double> bound = certify::parse_binary64(with_leading_zero(request.at_least));
-  constexpr double kGreatest = 10'000;
-  if (!bound || !(*bound > 0 && *bound <= kGreatest)) {
-    throw UsageError("--at-least: expected a positive decimal of at most 10000, not " +
-                     certify::in_quotes(request.at_least));
-  }
+  const Rational radius = parse_turn_distance("--outside", request.outside);
+  if (radius == Rational(1, 2)) throw UsageError("--outside: no phase is farther than 1/2 from an integer");
+  const double bound = parse_eigenvalue("--at-least", request.at_least);
   const Surface surface = read_surface_input(request.surface);
   GapOptions options{.most = request.most, .threads = request.threads};
   if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
@@ -278,16 +285,16 @@ void find_gap(const GapRequest& request) {
   {
     ProgressLine progress;
     options.progress = progress.shower();
-    boxes = gap_outside(surface, radius, *bound, options);
+    boxes = gap_outside(surface, radius, bound, options);
   }
   write_outputs(std::move(files));
   Report report = verified_report();
-  report.text += "lambda_0 is at least " + certify::shortest(*bound) +
+  report.text += "lambda_0 is at least " + certify::shortest(bound) +
                  " for all phases but those that are all at most " + radius.str() + " from an integer\n" +
                  std::to_string(boxes) +
                  " boxes of phases cover half of the torus of characters, the others are inverse\n";
   report.json["outside"] = radius.str();
-  report.json["at_least"] = *bound;
+  report.json["at_least"] = bound;
   report.json["boxes"] = boxes;
   write_report(report, request.json, false);
 }

@@ -111,6 +111,10 @@ void add_point(CLI::App& command, const char* name, std::string& text, const std
 /// Returns the phases of a character: numbers of turns with commas, colons or spaces between them. Throws UsageError,
 /// whose message begins with `name`.
 [[nodiscard]] TorusPoint parse_torus_point(const std::string& name, const std::string& text);
+/// Reads one number of turns, more than 0 and at most 1/2. Throws UsageError likewise.
+[[nodiscard]] Rational parse_turn_distance(const std::string& name, const std::string& text);
+/// Reads a positive decimal of at most 10000, rounded to binary64. Throws UsageError likewise.
+[[nodiscard]] double parse_eigenvalue(const std::string& name, const std::string& text);
 /// Returns a picture as SVG; writes what it could not show to standard error.
 [[nodiscard]] std::string svg_of(const PolygonPicture& picture);
 /// Adds --geodesics FILE.

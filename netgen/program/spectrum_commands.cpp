@@ -292,7 +292,7 @@ std::string eigenvalues_text(const EigenvaluesDocument& document) {
     out << '\n';
   }
   if (document.box)
-    out << "and all that are at most " << document.box->radius << " away in each of "
+    out << "and all that are at most " << certify::in_quotes(document.box->radius) << " away in each of "
         << certify::counted(document.box->directions.size(), "direction", "directions") << '\n';
   std::uint64_t first = first_index(document);
   for (std::size_t row = 0; row < document.eigenvalues.size(); ++row) {
@@ -333,29 +333,15 @@ Report below_report(const EigenvaluesDocument& document, double below) {
           Json::object({{"below", std::move(json)}})};
 }
 
-/// The value of --below.
-double parse_below(const std::string& text) {
-  constexpr double kGreatest = 10'000;
-  const std::optional<double> value = certify::parse_binary64(with_leading_zero(text));
-  if (value && *value > 0 && *value <= kGreatest) return *value;
-  throw UsageError("--below: expected a positive decimal of at most 10000, not " + certify::in_quotes(text));
-}
-
 EigenvaluesOptions options_of(const EigenvaluesRequest& request) {
   EigenvaluesOptions options{.threads = request.threads};
   if (request.count > 0) options.count = request.count;
-  if (request.below) options.below = parse_below(*request.below);
+  if (request.below) options.below = parse_eigenvalue("--below", *request.below);
   if (request.digits > 0) options.digits = request.digits;
   if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
   if (!request.phases) return options;
   options.phases = parse_torus_point("--phases", *request.phases);
-  if (request.box) {
-    options.box = parse_torus_point("--box", *request.box).front();
-    if (*options.box <= 0 || *options.box > Rational(1, 2)) {
-      throw UsageError("--box: expected a number of turns, more than 0 and at most 1/2, not " +
-                       certify::in_quotes(*request.box));
-    }
-  }
+  if (request.box) options.box = parse_turn_distance("--box", *request.box);
   if (request.digits > 3) throw UsageError("--digits: at most 3 with --phases, not " + std::to_string(request.digits));
   return options;
 }

@@ -123,7 +123,9 @@ std::vector<certify::Ball> real_roots(const Polynomial& f) {
 /// The irreducible factors of a polynomial, each once.
 #ifdef __EMSCRIPTEN__
 std::vector<Polynomial> factors_of(const Polynomial& /*f*/) {
-  throw LimitError("the WebAssembly module does not factor polynomials, which takes 2,000 files of FLINT");
+  // It takes 2,000 files of FLINT.
+  throw LimitError(
+      "polynomials over the rationals are factored by the program epsnet, not in a browser: see docs/wasm.md");
 }
 #else
 std::vector<Polynomial> factors_of(const Polynomial& f) {

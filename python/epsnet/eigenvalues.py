@@ -231,13 +231,15 @@ def torus_point(surface: "Surface", x: Any, name: str) -> List[Fraction]:
 def _turns(x: Number, name: str) -> Fraction:
     """A distance of phases."""
     value = as_fraction(x, name)
-    if not 0 < value < Fraction(1, 2):
-        refuse("a number of turns between 0 and 1/2", x, name)
+    if not 0 < value <= Fraction(1, 2):
+        refuse("a number of turns, more than 0 and at most 1/2", x, name)
     return value
 
 
 def gap(surface: "Surface", outside: Number, at_least: Number, most: int, epsilon: Optional[Number], threads: int, progress: Progress) -> int:
     radius = _turns(outside, "outside")
+    if radius == Fraction(1, 2):
+        raise ArgumentError("no phase is farther than 1/2 from an integer", place="outside")
     bound = _below(at_least, "at_least")
     number = as_index(most, "most", 1, 10**8)
     length = None if epsilon is None else length_text(epsilon, "epsilon")

@@ -145,6 +145,7 @@ CLAIMS = {
     "eigenvalues-1": ["eigenvalues", "--count", "4", "--digits", "1"],
     "eigenvalues-below": ["eigenvalues", "--below", "0.25"],
     "eigenvalues-phases": ["eigenvalues", "--count", "2", "--digits", "1", "--phases", phases],
+    "eigenvalues-box": ["eigenvalues", "--count", "2", "--digits", "1", "--phases", phases, "--box", "1/100"],
     "eigenvalues-4": ["eigenvalues", "--count", "4", "--digits", "4"],
     "eigenvalues": ["eigenvalues"],
 }

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <gtest/gtest.h>
+#include <numbers>
+#include <numeric>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -15,6 +19,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/numbering.h"
+#include "tests/certify/reference.h"
 
 /// Eigenvalues files with phases, in both checkers: sections of flat line bundles (docs/proof.md, section 17.3).
 namespace epsnet::exact::second_checker_sections_test {
@@ -322,7 +327,7 @@ TEST(Boxes, OfTrueFilesAreVerified) {
 
 TEST(Boxes, AreSaidInTheClaim) {
   const std::string claim = certify::check(box(), {.threads = 1}).claim;
-  EXPECT_NE(claim.find("of these phases, or of any within 1/100 turns of them in 4 directions, with"),
+  EXPECT_NE(claim.find("of these phases, or of any within \"1/100\" turns of them in 4 directions, with"),
             std::string::npos)
       << claim;
 }
@@ -407,6 +412,145 @@ TEST(Boxes, HaveTheGreatestSlopeOfAllTriangles) {
   const std::size_t vertices = box().net.vertices.size();
   for (std::size_t v = 0; v < vertices; ++v)
     EXPECT_EQ(changed_box([&](auto& b) { b.directions[v % 4].heights[v] += 2; }), "REFUTED: enclosures") << v;
+}
+
+/// ρ by Lemma 37.10, in long double, and the triangle where slopes are greatest.
+struct RootDistance {
+  certify::Real value = 0;
+  std::uint32_t triangle = 0;
+};
+
+class RootDistances {
+ public:
+  explicit RootDistances(const certify::NetDocument& net) : reference_(net) {}
+
+  [[nodiscard]] RootDistance operator()(const Document::Box& box) const {
+    RootDistance result;
+    for (std::uint32_t t = 0; t < reference_.net().triangles.size(); ++t) {
+      const certify::Real slopes = slopes_on(t, box);
+      if (slopes > result.value) result = {slopes, t};
+    }
+    result.value *= 2 * std::numbers::pi_v<certify::Real> * certify::parse_decimal(box.radius).value().get_d();
+    return result;
+  }
+
+ private:
+  using Heights = std::array<certify::Real, 3>;
+
+  [[nodiscard]] certify::Real height(const Document::Direction& direction, std::uint32_t dart) const {
+    certify::Real result = direction.heights[certify::start(reference_.net(), dart)];
+    if (const std::uint32_t label = certify::corner_label(reference_.net(), dart); label > 0) {
+      for (const std::uint32_t side : reference_.net().labels[label - 1].word)
+        result += static_cast<certify::Real>(direction.steps[side]);
+    }
+    return result;
+  }
+
+  /// C times the length of the vector g in the plane of the flat triangle with ⟨g, v_i − v_0⟩ = h_i − h_0.
+  [[nodiscard]] certify::Real slope(std::uint32_t t, const Heights& h) const {
+    std::array<certify::Vector, 2> sides;
+    const certify::Vector v = certify::vector_of(reference_.corner(3 * t));
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      const certify::Vector w = certify::vector_of(reference_.corner(3 * t + i + 1));
+      sides[i] = {w[0] - v[0], w[1] - v[1], w[2] - v[2]};
+    }
+    const certify::Real a = certify::lorentz(sides[0], sides[0]);
+    const certify::Real b = certify::lorentz(sides[0], sides[1]);
+    const certify::Real c = certify::lorentz(sides[1], sides[1]);
+    const certify::Real x = h[1] - h[0];
+    const certify::Real y = h[2] - h[0];
+    return std::cosh(reference_.circumradius(t)) * std::sqrt((c * x * x - 2 * b * x * y + a * y * y) / (a * c - b * b));
+  }
+
+  [[nodiscard]] certify::Real slopes_on(std::uint32_t t, const Document::Box& box) const {
+    certify::Real sum = 0;
+    for (std::size_t first = 0; first < box.directions.size(); first += 4) {
+      const std::size_t count = std::min<std::size_t>(4, box.directions.size() - first);
+      certify::Real greatest = 0;
+      for (unsigned signs = 0; signs < 1U << count; ++signs) {
+        Heights heights{};
+        for (std::size_t k = 0; k < count; ++k) {
+          for (std::uint32_t i = 0; i < 3; ++i)
+            heights[i] += (signs >> k & 1U ? -1 : 1) * height(box.directions[first + k], 3 * t + i);
+        }
+        greatest = std::max(greatest, slope(t, heights));
+      }
+      sum += greatest;
+    }
+    return sum;
+  }
+
+  certify::Reference reference_;
+};
+
+/// In both checkers: the ends that follow, and not those that are narrower by little.
+void expect_distance(Document document, const certify::Real& distance) {
+  constexpr double kLittle = 1e-9;
+  const auto root = [](double x) { return std::sqrt(certify::Real{x}); };
+  auto& in = document.eigenvalues[0].in;
+  const auto lower = static_cast<double>(std::pow(root(document.at_most[0].below) - distance, 2));
+  const auto upper = static_cast<double>(std::pow(root(document.at_least[0].below) + distance, 2));
+  double& least = document.at_most[0].count == 0 ? in.lower : document.next;
+  least = lower * (1 - kLittle);
+  in.upper = upper * (1 + kLittle);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  least = lower * (1 + kLittle);
+  EXPECT_EQ(outcome(document), "REFUTED: enclosures");
+  least = lower * (1 - kLittle);
+  in.upper = upper * (1 - kLittle);
+  EXPECT_EQ(outcome(document), "REFUTED: enclosures");
+}
+
+/// Heights are such that each triangle is once the steepest one.
+TEST(Boxes, HaveTheDistanceOfTheLemma) {
+  Document document = box();
+  document.eigenvalues.resize(1);
+  document.next = 0;
+  document.at_most.resize(1);
+  document.at_least.resize(1);
+  const Document::Box made = *document.box;
+  const RootDistances distance_of(document.net);
+  std::set<std::uint32_t> steepest;
+  std::minstd_rand random(1);
+  const std::size_t triangles = document.net.triangles.size();
+  for (int trial = 0; trial < 5000 && steepest.size() < triangles; ++trial) {
+    document.box = made;
+    document.box->directions.resize(1 + random() % 4);
+    for (Document::Direction& direction : document.box->directions) {
+      for (const std::uint32_t v : document.net.triangles[random() % triangles].vertex)
+        direction.heights[v] += static_cast<double>(random() % 1000) / 1000 - 0.5;
+    }
+    const RootDistance distance = distance_of(*document.box);
+    if (distance.value < 0.4 && steepest.insert(distance.triangle).second) expect_distance(document, distance.value);
+  }
+  EXPECT_EQ(steepest.size(), triangles);
+}
+
+/// Six directions are two groups.
+TEST(Boxes, OfGenus3HaveTheDistanceOfTheLemma) {
+  Document document = klein(Phases(168, "0"));
+  const certify::SurfaceSides sides(document.net.surface);
+  document.side_order.resize(84);
+  document.vertex_order.resize(24);
+  std::iota(document.side_order.begin(), document.side_order.end(), 0U);
+  std::iota(document.vertex_order.begin(), document.vertex_order.end(), 0U);
+  document.at_most = {{1, 1, 2}};
+  document.at_least = {{0.1, 1}};
+  document.eigenvalues = {{{0, 1}, 1}};
+  const RootDistances distance_of(document.net);
+  std::minstd_rand random(1);
+  for (int trial = 0; trial < 4; ++trial) {
+    document.box = {.radius = "1/1000", .directions = {}};
+    for (std::uint32_t k = 0; k < 6; ++k) {
+      // What leads from a tile to another one.
+      Document::Direction& direction = document.box->directions.emplace_back();
+      for (std::uint32_t s = 0; s < 168; ++s)
+        direction.steps.push_back((sides.tile[s] == k) - (sides.tile[sides.partner[s]] == k));
+      for (std::size_t v = 0; v < document.net.vertices.size(); ++v)
+        direction.heights.push_back(static_cast<double>(random() % 1000) / 1000);
+    }
+    expect_distance(document, distance_of(*document.box).value);
+  }
 }
 
 TEST(Boxes, OfHugeHeightsAreUndecided) {

@@ -623,6 +623,20 @@ bad 1 '^epsnet: 3 phases found, expected 4, those of the sides 0, 1, 2, 3$' eige
 bad 64 '^epsnet: --phases: expected a phase in turns, a decimal or a fraction such as 0.25 or -1/3, not "x"$' eigenvalues s.json --phases 0,0,0,x
 bad 64 '^epsnet: --phases: expected phases in turns' eigenvalues s.json --phases ''
 bad 64 '^epsnet: --digits: at most 3 with --phases, not 4$' eigenvalues s.json --phases 0,0,0,0 --digits 4
+good eigenvalues s.json --count 1 --digits 1 --phases 0,1/3,-.25,0 --box .01 -o box.json
+verified box.json
+says '^and all that are at most "1/100" away in each of 4 directions$'
+good info box.json
+says '^and all that are at most "1/100" away'
+for value in 0 -1 51/100 1/4,1/4 x; do
+  bad 64 '^epsnet: --box: expected' eigenvalues s.json --phases 0,0,0,0 --box="$value"
+  bad 64 '^epsnet: --outside: expected' gap s.json --outside="$value" --at-least 0.1
+done
+bad 64 '--box requires --phases' eigenvalues s.json --box 1/4
+bad 64 '^epsnet: --outside: no phase is farther than 1/2' gap s.json --outside 1/2 --at-least 0.1
+bad 64 '^epsnet: --at-least: expected a positive decimal of at most 10000, not "0"' gap s.json --outside 1/4 --at-least 0
+bad 1 '^epsnet: it takes more than 10 boxes' gap s.json --outside 1/4 --at-least 0.01 --most 10
+bad 1 '^epsnet: not proved at the phases ' gap s.json --outside 1/4 --at-least 9 --epsilon 1
 mkdir kept
 good bands s.json --between G,1/2:0:0:0 --steps 2 --count 2 --digits 1 -o bands.csv --svg bands.svg --keep kept
 says '^0: phases 0 0 0 0, lambda_0 in \[0, '
@@ -635,6 +649,11 @@ printf '0 0 0 0 # the origin\n1/4:0:0:0\n\n.5,0,0,0\n' >path.txt
 good bands s.json --path path.txt --count 2 --digits 1 -o same.csv --json
 same bands.csv same.csv
 says '"phases":\["1/4","0","0","0"\]'
+mkdir boxes
+good surface regular --genus 2 -o regular.json
+good gap regular.json --outside 7/16 --at-least 1e-6 --epsilon 1 --keep boxes
+says '^lambda_0 is at least 1e-06 for all phases but those that are all at most 7/16 from an integer$'
+verified "boxes/$(ls boxes | head -n 1)"
 good lattice s.json --nodes faces --phases 1/3,0,1/2,0 -o lattice.mtx
 says '^1 eigenvalue in \[0\.99'
 head -n 1 lattice.mtx | grep -q '^%%MatrixMarket matrix coordinate ' || complain "the matrix of a lattice: $(head -n 1 lattice.mtx)"

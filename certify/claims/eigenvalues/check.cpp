@@ -3,7 +3,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "certify/base/text.h"
@@ -143,6 +142,7 @@ std::uint64_t least_bytes(const Document& document) {
                         20 * document.at_least.size();
   for (const std::string& phase : document.phases) bytes += 3 + phase.size();
   if (document.box) {
+    bytes += document.box->radius.size();
     for (const Document::Direction& direction : document.box->directions)
       bytes += 20 + 2 * (direction.steps.size() + direction.heights.size());
   }
@@ -168,8 +168,6 @@ constexpr const char* kEnclosures = "enclosures";
 
 /// Entries of matrices have errors far below those of binary64.
 constexpr slong kBitsOfMatrices = 128;
-/// Of so many directions of a box all signs are tried, of others sums are bounded (Lemma 37.10).
-constexpr std::size_t kGroup = 4;
 /// Coefficients of eigenfunctions have the 53 bits of binary64, and little is lost: many more bits prove no more.
 constexpr slong kFirstBitsOfFunctions = 128;
 constexpr slong kMostBitsOfFunctions = 512;
@@ -269,12 +267,11 @@ class EigenvaluesCheck {
   void ask() {
     // Of no line bundle there are no eigenvalues.
     if (!document_.phases.empty() && run_.report(check_phases()) != Verdict::verified) return;
-    double distance = 0;
-    if (document_.box && run_.report(check_box(distance)) != Verdict::verified) return;
+    if (document_.box && run_.report(check_box()) != Verdict::verified) return;
     run_.report(check_most());
     run_.report(check_least());
     run_.report(check_eigenfunctions());
-    const auto problem = CountedEigenvalues(document_, distance).problem();
+    const auto problem = CountedEigenvalues(document_, distance_).problem();
     run_.report(problem ? RuleReport{kEnclosures, Verdict::refuted, *problem}
                         : RuleReport{kEnclosures, Verdict::verified,
                                      counted(document_.eigenvalues.size(), "interval", "intervals")});
@@ -291,65 +288,16 @@ class EigenvaluesCheck {
             "a flat line bundle, phases in multiples of 1/" + std::to_string(bundle_.denominator())};
   }
 
-  /// Sets `distance` to a bound for how far roots of eigenvalues are from those in the centre of the box.
-  RuleReport check_box(double& distance) const {
-    const EigenvaluesDocument::Box& box = *document_.box;
-    if (const auto problem = homomorphism_problem(box, SurfaceSides(document_.net.surface)))
+  RuleReport check_box() {
+    if (const auto problem = homomorphism_problem(*document_.box, SurfaceSides(document_.net.surface)))
       return {kBox, Verdict::refuted, *problem};
     const Precision scope(kBitsOfMatrices);
-    const std::size_t triangles = document_.net.triangles.size();
-    budget_.spend(400 * ball_work(kBitsOfMatrices) + 30 * ball_work(kBitsOfMatrices) * box.directions.size(),
-                  triangles);
-    const std::vector<BallIsometry> labels = evaluated_labels();
-    const std::vector<std::vector<std::int64_t>> steps = steps_of_labels(box);
-    Ball slope;
-    for (std::uint32_t t = 0; t < triangles; ++t) {
-      const auto triangle = FlatTriangle::of(flat_sides(document_.net, labels, t, 0).front());
-      if (!triangle) return no_triangle(kBox);
-      std::vector<std::array<Ball, 3>> heights(steps.size());
-      for (std::size_t k = 0; k < steps.size(); ++k) {
-        for (std::uint32_t i = 0; i < 3; ++i) {
-          heights[k][i] =
-              Ball::exactly(looked_up(box.directions[k].heights, start(document_.net, 3 * t + i), "no vertex")) +
-              Ball::exactly(looked_up(steps[k], corner_label(document_.net, 3 * t + i), "no label"));
-        }
-      }
-      Ball of_all;
-      for (std::size_t first = 0; first < heights.size(); first += kGroup)
-        of_all += greatest_slope(*triangle,
-                                 std::span(heights).subspan(first).first(std::min(kGroup, heights.size() - first)));
-      slope = max(slope, of_all);
-    }
-    distance = upper_end(twice(pi()) * Ball::rounded(decimal(box.radius)) * slope);
-    if (!std::isfinite(distance)) return {kBox, Verdict::undecided, "the slopes are not known"};
+    const auto distance = root_distance(document_, evaluated_labels(), budget_);
+    if (!distance) return no_triangle(kBox);
+    distance_ = upper_end(*distance);
+    if (!std::isfinite(distance_)) return {kBox, Verdict::undecided, "the slopes are not known"};
     return {kBox, Verdict::verified,
-            "roots of eigenvalues are at most " + decimal_above(distance, 3) + " from those in the centre"};
-  }
-
-  /// Of Σ ±h_k, by the values of the h_k in the corners, with any signs.
-  static Ball greatest_slope(const FlatTriangle& triangle, std::span<const std::array<Ball, 3>> heights) {
-    Ball result;
-    for (std::size_t signs = 0; signs < std::size_t{1} << (heights.size() - 1); ++signs) {
-      std::array<Ball, 3> sum = heights.back();
-      for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
-        for (std::size_t i = 0; i < 3; ++i) sum[i] += (signs >> k & 1) != 0 ? -heights[k][i] : heights[k][i];
-      }
-      result = max(result, triangle.greatest_slope(sum));
-    }
-    return result;
-  }
-
-  /// By direction and number of a label.
-  [[nodiscard]] std::vector<std::vector<std::int64_t>> steps_of_labels(const EigenvaluesDocument::Box& box) const {
-    std::vector<std::vector<std::int64_t>> result;
-    for (const EigenvaluesDocument::Direction& direction : box.directions) {
-      std::vector<std::int64_t>& of_labels = result.emplace_back(1, 0);
-      for (const NetDocument::Label& label : document_.net.labels) {
-        budget_.spend(10 + 10 * label.word.size());
-        of_labels.push_back(step(direction, label.word));
-      }
-    }
-    return result;
+            "roots of eigenvalues are at most " + decimal_above(distance_, 3) + " from those in the centre"};
   }
 
   RuleReport check_most() {
@@ -574,6 +522,7 @@ class EigenvaluesCheck {
   LabelParts parts_;
   LabelEvaluator evaluator_;
   LineBundle bundle_;
+  double distance_ = 0;     ///< Of roots of eigenvalues from those that are counted: in a box.
   std::uint64_t left_out_;  ///< How many eigenvalues of the matrices are not counted: the 0 of the constants.
 };
 
@@ -582,10 +531,11 @@ std::string text_of(const EigenvaluesDocument& document) {
   for (const EigenvaluesDocument::Enclosure& row : document.eigenvalues) count += row.count;
   const std::string rest = " at least " + decimal_below(document.next);
   if (!document.phases.empty()) {
-    const std::string which = " of the Laplacian on sections of the flat line bundle of these phases" +
-                              (document.box ? ", or of any within " + document.box->radius + " turns of them in " +
-                                                  counted(document.box->directions.size(), "direction", "directions")
-                                            : "");
+    const std::string which =
+        " of the Laplacian on sections of the flat line bundle of these phases" +
+        (document.box ? ", or of any within " + in_quotes(document.box->radius) + " turns of them in " +
+                            counted(document.box->directions.size(), "direction", "directions")
+                      : "");
     if (count == 0) return "all eigenvalues" + which + " are" + rest;
     return "the first " + counted(count, "eigenvalue", "eigenvalues") + which + ", with multiplicity, lie in " +
            counted(document.eigenvalues.size(), "interval", "intervals") + ", all others are" + rest;
