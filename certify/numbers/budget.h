@@ -19,7 +19,7 @@ namespace epsnet::certify {
 class BudgetSpent : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override {
-    return "needs more work than a file of this size may take; --max-work allows more";
+    return "needs more work than a file of this size may take";
   }
 };
 

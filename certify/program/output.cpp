@@ -8,6 +8,7 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
+#include "certify/numbers/budget.h"
 
 namespace epsnet::certify::program {
 namespace {
@@ -215,7 +216,10 @@ int exit_code(const FileReport& report) {
 
 std::string verdict_line(const FileReport& report, const std::string& place) {
   if (report.is_surface) return "NO CLAIM: " + (place.empty() ? "" : place + ": ") + kNoClaim;
-  if (report.error.empty()) return verdict_line(report.certificate, place);
+  if (report.error.empty()) {
+    const std::string line = verdict_line(report.certificate, place);
+    return line.ends_with(BudgetSpent().what()) ? line + "; --max-work allows more" : line;
+  }
   return "ERROR: " + (place.empty() ? "" : place + ": ") + report.error;
 }
 

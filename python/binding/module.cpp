@@ -3,6 +3,7 @@
 
 #include "certify/base/error.h"
 #include "certify/file/reader.h"
+#include "netgen/curves/mapping_class.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"

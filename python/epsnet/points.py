@@ -71,7 +71,9 @@ def random_points(surface: "_epsnet.Surface", count: int, seed: int) -> List[Poi
     chosen = draw.choice(len(areas), size=count, p=areas / areas.sum())
     tile, a, u, alpha, beta, side = (part[chosen] for part in (tile, a, u, np.abs(alpha), np.abs(beta), side))
     # The part of the triangle up to the angle t at a has the share of the area that is drawn.
-    low, high, wanted = np.zeros(count), alpha, draw.random(count) * areas[chosen]
+    low: Any = np.zeros(count)
+    high: Any = alpha
+    wanted = draw.random(count) * areas[chosen]
     for _ in range(60):
         middle = (low + high) / 2
         is_less = _area(middle, beta, side) < wanted

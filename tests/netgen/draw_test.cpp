@@ -29,6 +29,7 @@
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"
+#include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet::draw_test {
