@@ -329,6 +329,11 @@
       expect(legendText().some(text => text.includes(g.name)), `${g.name} is not in the legend`);
       travel.goToSelected(0);
       near(Math.hypot(...drawing.nearestArc(g)[0]), 0, 1e-6, `${g.name}: the distance from the centre`);
+      // It, or another one through the same point, is there.
+      expect(drawing.geodesicAt(0, 0) !== null, `${g.name} is not found in the centre`);
+      g.layer.on = false;
+      expect(drawing.geodesicAt(0, 0)?.layer !== g.layer, `${g.name} is found where it is not shown`);
+      g.layer.on = true;
       const lit = pixels();
       viewer.select(null);
       draw(kMost);

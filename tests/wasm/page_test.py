@@ -194,6 +194,22 @@ def questions(page: Page) -> None:
         .map(row => [row.textContent, row.querySelector('.mark').style.background])""")
     page.expect(len({colour for name, colour in colours if "shortest" in name}) == 1 and len({colour for _, colour in colours}) == 2,
                 f"systole and other geodesics are not told apart: {colours}")
+    # A click on a closed geodesic asks what it meets. The one chosen here is drawn, in the middle of the picture.
+    page.click("take")
+    page.run("""const list = document.getElementById('geodesics');
+        list.selectedIndex = list.options.length - 1;
+        list.dispatchEvent(new Event('change'))""")
+    page.rest("what the geodesic that is chosen in the list meets")
+    page.expect("What a closed geodesic meets" in page.text("answered") and re.search("curves 0 and [0-9] meet", page.text("answered")),
+                f"a geodesic that is chosen in the list: {page.text('answered')[:300]} {page.text('problem')}")
+    page.run("document.getElementById('answered').replaceChildren()")
+    # The picture moves there.
+    wait(lambda: page.run("""const canvas = document.getElementById('view'), box = canvas.getBoundingClientRect();
+        for (const type of ['pointerdown', 'pointerup'])
+          canvas.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1, clientX: box.left + box.width / 2, clientY: box.top + box.height / 2}));
+        return document.getElementById('answered').textContent.includes('What a closed geodesic meets')"""), "a geodesic that is clicked")
+    page.rest("what the geodesic that is clicked meets")
+    page.expect("curve 0: length" in page.text("answered"), f"a geodesic that is clicked: {page.text('answered')[:300]} {page.text('problem')}")
 
 
 def symmetries(page: Page) -> None:

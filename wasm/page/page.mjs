@@ -324,7 +324,7 @@ function draw(data, before = null) {
   if (viewer !== null) viewer.end();
   $('panel').hidden = false;
   $('picture').classList.remove('past');
-  viewer = new Viewer($('picture'), $('panel'), new Net(data), {onTap: take, before});
+  viewer = new Viewer($('picture'), $('panel'), new Net(data), {onTap: take, onSelect: askAbout, before});
 }
 
 // ---- Questions ----
@@ -397,21 +397,39 @@ $('spectrum').onclick = () => {
 };
 const tellCurve = ({length, power, self_intersections: crossings, homology}, k) =>
   `curve ${k}: length ${number(length)}, ${power > 1 ? `a power, ${power}` : crossings === 0 ? 'simple' : `crosses itself ${times(crossings)}`}, class (${homology.join(', ')})`;
+// How closed curves meet: all pairs of them, or the first one with each of the others.
+function askCurves(name, words, {isOfFirst = false} = {}) {
+  ask(name, surfaceCommand(`epsnet curves FILE ${words.map(word => word.join(',')).join(' ')}`),
+      ({surface}, options) => surface.closedCurves(words, options), ({curves, pairs, fill}) => {
+        const given = curves.slice(0, words.length), told = isOfFirst ? given.slice(0, 1) : given;
+        const meetings = pairs.filter(({first, second}) => second < words.length && (!isOfFirst || first === 0));
+        addCurves(given.flatMap(({length, power, self_intersections, word}) => power === 1 && self_intersections === 0 ? [{name: lengthName(length), word}] : []));
+        return [...told.map(tellCurve),
+                ...meetings.map(({first, second, intersections, algebraic}) => `curves ${first} and ${second} meet ${times(intersections)}, algebraically ${algebraic}`),
+                ...(fill ? ['together they fill the surface'] : [])];
+      }, {isPicture: true});
+}
 $('curves').onclick = () => {
   try {
-    const texts = typed('words').split(',').map(text => text.trim()), words = texts.map(wordOf);
-    ask('Closed curves', surfaceCommand(`epsnet curves FILE ${texts.map(text => text.replaceAll(/ +/g, ',')).join(' ')}`),
-        ({surface}, options) => surface.closedCurves(words, options), ({curves, pairs, fill}) => {
-          const given = curves.slice(0, words.length), meetings = pairs.filter(({second}) => second < words.length);
-          addCurves(given.flatMap(({length, power, self_intersections, word}) => power === 1 && self_intersections === 0 ? [{name: lengthName(length), word}] : []));
-          return [...given.map(tellCurve),
-                  ...meetings.map(({first, second, intersections, algebraic}) => `curves ${first} and ${second} meet ${times(intersections)}, algebraically ${algebraic}`),
-                  ...(fill ? ['together they fill the surface'] : [])];
-        }, {isPicture: true});
+    askCurves('Closed curves', typed('words').split(',').map(text => wordOf(text.trim())));
   } catch (error) {
     $('problem').textContent = error.message;
   }
 };
+// A closed geodesic that was chosen in the picture: it and some others there become the curves in question.
+function askAbout({layer, index}) {
+  const kMostOthers = 7;
+  const lists = current.shown.filter(file => file.geodesics?.length > 0);
+  const layers = viewer.drawing.layers.filter(({parts}) => parts?.[0]?.[0].startsWith('geodesic '));
+  const word = lists[layers.indexOf(layer)]?.geodesics[index]?.word;
+  if (word === undefined) return;
+  const text = word.join(' ');
+  const others = new Set(lists.flatMap(file => file.geodesics.map(g => g.word.join(' '))));
+  others.delete(text);
+  const texts = [text, ...[...others].slice(0, kMostOthers)];
+  $('words').value = texts.join(', ');
+  if (running === null) askCurves('What a closed geodesic meets', texts.map(wordOf), {isOfFirst: true});
+}
 $('diameter').onclick = () => ask('Diameter', surfaceCommand('epsnet diameter FILE --width 1e-3'),
     ({surface}, options) => surface.diameter({width: 1e-3, ...options}), file => [`the diameter is ${number(file.value)}`]);
 const tellEigenvalues = ({first, count, ...row}) =>
@@ -474,11 +492,11 @@ $('cover').onclick = () => goOn(`cover:${typed('degree')}:${typed('sheets')}`);
 $('twist').onclick = () => goOn(`twist:${$('curve').value}:${typed('by')}`);
 $('dehn-twist').onclick = () => goOn(`dehn-twist:${$('curve').value}:${typed('power')}`);
 
-// A point of the picture as p, then as q, then as p again.
+// A point of the picture as p, then as q, then as p again, if points are to be taken.
 function take(x, y) {
-  if (!$('take').checked || x * x + y * y >= 1) return;
+  if (!$('take').checked || x * x + y * y >= 1) return false;
   const pin = viewer.drawing.pinAt(x, y), pins = viewer.drawing.pins;
-  if (pin === null) return;
+  if (pin === null) return false;
   if (pins.length === 2) pins.length = 0;
   pin.name = pins.length === 0 ? 'p' : 'q';
   pins.push(pin);
@@ -486,6 +504,7 @@ function take(x, y) {
   viewer.travel.drawAtRest();
   viewer.say(`${pin.name} is a point of triangle ${pin.triangle}`);
   if (pin.name === 'q' && running === null) $('distance').click();
+  return true;
 }
 
 // ---- Files ----

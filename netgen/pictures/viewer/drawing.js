@@ -197,7 +197,7 @@ class Drawing {
     for (const layer of this.layers)
       (layer.parts || []).forEach(([name, length, first], k) => {
         const end = k + 1 < layer.parts.length ? layer.parts[k + 1][2] : layer.arcs.length;
-        this.geodesics.push({layer, name, length, first, end, byTriangle: arcsByTriangle(layer, first, end)});
+        this.geodesics.push({layer, index: k, name, length, first, end, byTriangle: arcsByTriangle(layer, first, end)});
       });
     this.selected = null;  // One of the geodesics.
     this.hovered = null;   // What `find` returned.
@@ -455,6 +455,20 @@ class Drawing {
     }
     if (found.corner >= 0) lines.unshift(`vertex ${net.vertex[3 * t + found.corner]}`);
     return lines.join('\n');
+  }
+
+  // Of the geodesics that are shown, the one nearest to a point of the disk, if it is within some pixels; else null.
+  geodesicAt(x, y) {
+    const toPoint = translation(-x, -y), pixels = this.scale * (1 - x * x - y * y);
+    let best = null, least = 8;
+    for (const g of this.geodesics) {
+      if (!g.layer.on) continue;
+      this.eachArc(g.layer, g.byTriangle, (u, v) => {
+        const far = pixels * distanceToSegment(0, 0, ...apply(toPoint, ...u), ...apply(toPoint, ...v));
+        if (far < least) [best, least] = [g, far];
+      });
+    }
+    return best;
   }
 
   // A point of the disk as a point of the surface: with weights on the corners of its triangle, as epsnet writes it, and in the chart of the triangle's first corner.

@@ -87,16 +87,22 @@ function markOf(entry) {
 const systemIsDark = matchMedia('(prefers-color-scheme: dark)');
 
 class Viewer {
-  // Fills the elements `picture` and `panel` of the page; one viewer at a time, as they have ids. `onTap(x, y)` hears of points of the disk that are asked for.
+  // Fills the elements `picture` and `panel` of the page; one viewer at a time, as they have ids. `onTap(x, y)` hears of points of the disk
+  // that are tapped, and says whether it takes them; if it does not, a closed geodesic there is selected. `onSelect(g)` hears of those that are.
   // The new viewer shows the part that `before`, one of the same triangulation, showed.
-  constructor(picture, panel, net, {onTap = () => {}, before = null} = {}) {
+  constructor(picture, panel, net, {onTap = () => false, onSelect = () => {}, before = null} = {}) {
     const kept = before && before.state(), schemeOfBefore = $('scheme') ? $('scheme').value : '';
     picture.innerHTML = kPictureParts;
     panel.innerHTML = kPanelParts;
     this.net = net;
     this.drawing = new Drawing($('view'), net);
     this.travel = new Travel(this.drawing, {
-      rest: () => this.tellView(), hover: (found, x, y) => this.showHovered(found, x, y), say: text => this.say(text), tap: onTap});
+      rest: () => this.tellView(), hover: (found, x, y) => this.showHovered(found, x, y), say: text => this.say(text),
+      tap: (x, y) => {
+        const g = onTap(x, y) ? null : this.drawing.geodesicAt(x, y);
+        if (g !== null) this.choose(g);
+      }});
+    this.onSelect = onSelect;
     if (kept) this.restore(kept);
     this.fillPanel();
     this.listen();
@@ -226,7 +232,7 @@ class Viewer {
     $('geodesics').size = Math.max(2, Math.min(6, geodesics.length));
     $('geodesics').selectedIndex = -1;
     $('geodesics').onchange = () => {
-      this.select(geodesics[$('geodesics').selectedIndex]);
+      this.choose(geodesics[$('geodesics').selectedIndex]);
       this.travel.goToSelected();
     };
     $('go-to').onclick = () => this.travel.goToSelected();
@@ -235,6 +241,12 @@ class Viewer {
       $('geodesics').focus();  // The button cannot keep the focus.
       this.select(null);
     };
+  }
+  // Selects one of the geodesics for somebody.
+  choose(g) {
+    this.select(g);
+    this.say(geodesicName(g));
+    this.onSelect(g);
   }
   // One of the geodesics, or null.
   select(g) {
