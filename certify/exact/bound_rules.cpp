@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "certify/exact/claim_rules.h"
+#include "certify/exact/conjugation.h"
 #include "certify/exact/interval.h"
 #include "certify/exact/loops.h"
+#include "certify/exact/pair_search.h"
 #include "certify/exact/rough_interval.h"
 
 namespace epsnet::exact {
@@ -182,6 +184,8 @@ Vector moved(const Motion& g, const Vector& p) {
 
 Interval cosh_distance(const Vector& p, const Vector& q) { return p[2] * q[2] - p[0] * q[0] - p[1] * q[1]; }
 
+Vector difference(const Vector& p, const Vector& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+
 /// Three points and the cosh of the distances from each to the next.
 struct Cell {
   std::array<Vector, 3> corner;
@@ -247,13 +251,50 @@ class BoundRules {
     make_base();
   }
 
+  void check_isometries() { expect_isometries(net_, document_.symmetry->rows); }
+
+  /// Lemma 21.3: the points that are as far from the centre as from two of its images.
+  void check_domain() {
+    const auto& [centre, rows] = *document_.symmetry;
+    const Vector from = unit_vector(point<R>(centre));
+    const auto basis = [&](const std::vector<Index>& x, const std::vector<Index>& y) {
+      return Basis(hyperbolic_at_vertex(x), hyperbolic_at_vertex(y));
+    };
+    const Vector coordinates = basis(rows.pair[0], rows.pair[1]).coordinates(from);
+    std::vector<Vector> normal;
+    for (const IsometryRows::Row& row : rows.isometries) {
+      const Vector image = basis(row.images[0], row.images[1]).combination(coordinates);
+      normal.push_back(row.preserves_orientation ? difference(from, image)
+                                                 : difference(from, {-image[0], -image[1], -image[2]}));
+    }
+    const std::size_t count = normal.size();
+    std::vector<Vector> corner;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string sides = "the sides of isometry " + number(i) + " and the next one";
+      const std::string whether = "whether " + sides + " meet";
+      Vector c = cross_product(normal[i], normal[(i + 1) % count]);
+      const Interval square = -lorentz_product(c, c);
+      if (!decided(is_less(0, square), whether.c_str())) throw Refutation{sides + " do not meet"};
+      const Interval scale = (decided(is_less(0, c[2]), whether.c_str()) ? 1 : -1) / sqrt(square);
+      corner.push_back({scale * c[0], scale * c[1], scale * c[2]});
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector& next = corner[(i + 1) % count];
+      const std::string corners = "the corners at the sides of isometry " + number(i) + " and the next two";
+      const std::string whether = "whether " + corners + " are counterclockwise";
+      if (!decided(is_less(0, lorentz_product(cross_product(from, corner[i]), next)), whether.c_str()))
+        throw Refutation{corners + " are not counterclockwise around the centre"};
+      around_.push_back(cell_of({from, corner[i], next}));
+    }
+  }
+
   void check_cells() {
     const Interval end(document_.value[document_.claim == Claim::radius ? 0 : 1]);
     sinh_ = sinh(end);
     cosh_ = cosh(end);
     most_ = square(sinh_);
     for (Index t = 0; t < document_.cells.size(); ++t) {
-      std::vector<Cell> open{triangle(3 * t)};
+      std::vector<Cell> open{document_.symmetry ? around_[t] : triangle(3 * t)};
       for (const Index entry : document_.cells[t]) {
         const Cell cell = std::move(open.back());
         open.pop_back();
@@ -397,11 +438,21 @@ class BoundRules {
   /// The triangle of the base with this dart as the first.
   Cell triangle(Index dart) {
     const auto corner = [&](Index d) -> const Vector& { return base_.point[base_.start[d]]; };
-    Cell cell;
-    cell.corner = {corner(dart), moved(element(base_.element[dart]).motion, corner(dart + 1)),
-                   moved(inverse(element(base_.element[dart + 2]).motion), corner(dart + 2))};
+    return cell_of({corner(dart), moved(element(base_.element[dart]).motion, corner(dart + 1)),
+                    moved(inverse(element(base_.element[dart + 2]).motion), corner(dart + 2))});
+  }
+
+  static Cell cell_of(std::array<Vector, 3> corners) {
+    Cell cell{std::move(corners), {}};
     for (std::size_t i = 0; i < 3; ++i) cell.cosh[i] = cosh_distance(cell.corner[i], cell.corner[(i + 1) % 3]);
     return cell;
+  }
+
+  /// An element of the group at tile 0, in the chart of the net's vertex, with a trace that certainly is not 0.
+  Motion hyperbolic_at_vertex(const std::vector<Index>& word) {
+    Motion g = element_at_vertex(net_, word, 0, document_.symmetry->rows.paths);
+    if (is_less(1, square(g.a.re)) != Answer::yes) throw TooLarge{"the trace of an element is not known well"};
+    return g;
   }
 
   [[nodiscard]] const typename Elements<R>::Element& element(std::size_t g) const { return (*elements_)[g]; }
@@ -493,6 +544,7 @@ class BoundRules {
   std::optional<Elements<R>> elements_;
   std::vector<Map> maps_;
   Base base_;
+  std::vector<Cell> around_;  ///< The triangles of the domain, if there is a symmetry.
   // Of the bound for cells.
   Interval sinh_;
   Interval cosh_;
@@ -591,15 +643,28 @@ std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {
     expect_less(step / 2, darts, "dart");
     if (step % 2 == 1) darts += 6;
   }
+  if (document.symmetry) {
+    const auto& [centre, rows] = *document.symmetry;
+    if (!document.base.empty()) throw Malformed("a base beside a symmetry");
+    if (gap(centre) <= 0) throw Malformed("the centre is not in the disk");
+    if (rows.isometries.size() < 3) throw Malformed("a domain of less than three sides");
+    net.expect_words(rows);
+    darts = 3 * rows.isometries.size();
+  }
   if (3 * document.cells.size() != darts) throw Malformed("cells: not one row for each triangle");
   const std::size_t of_each = document.claim == Claim::diameter ? 1 : document.claim == Claim::radius ? 3 : net.darts();
   for (const std::vector<Index>& row : document.cells) {
     expect_subdivision(row, (document.triangulations.size() + 1) * of_each);
   }
   const auto rules = std::make_shared<BoundRules<R>>(document, net);
-  return {{document.claim == Claim::radius ? "upper" : "lower", [rules] { rules->check_vertex(); }},
-          {"triangulations", [rules] { rules->check_triangulations(); }},
-          {"cells", [rules] { rules->check_cells(); }}};
+  std::vector<Rule> result{{document.claim == Claim::radius ? "upper" : "lower", [rules] { rules->check_vertex(); }},
+                           {"triangulations", [rules] { rules->check_triangulations(); }}};
+  if (document.symmetry) {
+    result.push_back({"isometries", [rules] { rules->check_isometries(); }});
+    result.push_back({"domain", [rules] { rules->check_domain(); }});
+  }
+  result.push_back({"cells", [rules] { rules->check_cells(); }});
+  return result;
 }
 
 template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<mpz_class>& net);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/exact/integers.h"
@@ -32,6 +34,50 @@ int crossing_sign(const Isometry<R>& x, const Isometry<R>& y) {
   const R p = (x.b * conjugate(y.b)).im;
   const Complex<R> q = x.a.im * y.b - y.a.im * x.b;
   return sgn(R(p * p - norm(q))) > 0 ? sgn(p) : 0;
+}
+
+/// Whether the traces are equal up to their signs, and the product of these.
+template <class R>
+std::pair<bool, int> compare_traces(const Isometry<R>& f, const Isometry<R>& g) {
+  const R difference = f.a.re * f.a.re * (norm(g.a) - norm(g.b)) - g.a.re * g.a.re * (norm(f.a) - norm(f.b));
+  return {sgn(difference) == 0, sgn(f.a.re) * sgn(g.a.re)};
+}
+
+/// Lemma 38, for one sign of the image.
+template <class R>
+bool has_traces_of(NetRules<R>& net, const Isometry<R>& g, const std::array<Isometry<R>, 4>& from,
+                   const Isometry<R>& image, const std::array<Isometry<R>, 4>& to) {
+  int sign = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto [equal, product] = compare_traces(net.product(from.at(k), g), net.product(to.at(k), image));
+    if (!equal || sign * product < 0) return false;
+    if (product != 0) sign = product;
+  }
+  return true;
+}
+
+/// The rule `isometries`. Throws Refutation.
+template <class R>
+void expect_isometries(NetRules<R>& net, const IsometryRows& rows) {
+  const auto from = basis_of_matrices(net, rows.pair[0], rows.pair[1]);
+  const int sign = crossing_sign(from[1], from[2]);
+  if (sign == 0) throw Refutation{"the axes of the pair do not cross"};
+  std::vector<Isometry<R>> elements;
+  for (const auto& word : net.generators(rows.paths)) elements.push_back(positive_element(net, word));
+  for (std::size_t i = 0; i < rows.isometries.size(); ++i) {
+    const auto& [preserves_orientation, images] = rows.isometries[i];
+    const std::string name = "isometry " + number(i);
+    const auto to = basis_of_matrices(net, images[0], images[1]);
+    for (std::size_t k = 1; k < 4; ++k) {
+      if (compare_traces(from.at(k), to.at(k)) != std::pair(true, 1)) throw Refutation{name + " changes traces"};
+    }
+    for (std::size_t n = 0; n < elements.size(); ++n) {
+      if (!has_traces_of(net, elements[n], from, positive_element(net, images[n + 2]), to))
+        throw Refutation{name + " changes traces of generator " + number(n)};
+    }
+    if ((crossing_sign(to[1], to[2]) == sign) != preserves_orientation)
+      throw Refutation{name + (preserves_orientation ? " reverses the orientation" : " preserves the orientation")};
+  }
 }
 
 /// Half of the trace of a matrix, its square, and the determinant.

@@ -397,8 +397,22 @@ DistanceDocument read_distance(const Json& root) {
   return document;
 }
 
+namespace {
+
+IsometryRows read_isometry_rows(const Json& value, Words& words) {
+  IsometryRows rows{
+      .isometries = {}, .paths = read_words(value, "paths", words), .pair = read_words(value, "pair", words)};
+  for (const Json& row : array(member(value, "isometries"), "isometries")) {
+    expect_members(row, {"preserves_orientation", "images"});
+    rows.isometries.push_back({read_bool(member(row, "preserves_orientation")), read_words(row, "images", words)});
+  }
+  return rows;
+}
+
+}  // namespace
+
 BoundDocument read_bound(const Json& root) {
-  expect_members(root, {"format", "version", "claim", "net", "value", "triangulations", "base", "cells"});
+  expect_members(root, {"format", "version", "claim", "net", "value", "triangulations", "base", "symmetry", "cells"});
   expect_version(root);
   Words words;
   BoundDocument document{.net = read_one_vertex_net(root, words),
@@ -406,6 +420,7 @@ BoundDocument read_bound(const Json& root) {
                          .value = read_length(member(root, "value"), "the value"),
                          .triangulations = {},
                          .base = {},
+                         .symmetry = {},
                          .cells = {}};
   const Json& claim = member(root, "claim");
   if (is_text(claim, "radius")) {
@@ -423,6 +438,11 @@ BoundDocument read_bound(const Json& root) {
     document.triangulations.push_back({parent, std::move(flips)});
   }
   if (const Json* base = find(root, "base")) document.base = read_indices(*base, "base");
+  if (const Json* symmetry = find(root, "symmetry")) {
+    expect_members(*symmetry, {"centre", "isometries", "paths", "pair"});
+    const auto& centre = tuple(member(*symmetry, "centre"), 2, "the centre");
+    document.symmetry = {read_binary_point(centre[0], centre[1]), read_isometry_rows(*symmetry, words)};
+  }
   for (const Json& row : array(member(root, "cells"), "cells")) document.cells.push_back(read_indices(row, "cells"));
   return document;
 }
@@ -506,14 +526,8 @@ IsometriesDocument read_isometries(const Json& root) {
   Words words;
   IsometriesDocument document{.spectrum = read_list(root, GeodesicsDocument::Claim::spectrum, words),
                               .order = to_index(member(root, "order")),
-                              .isometries = {},
-                              .paths = read_words(root, "paths", words),
-                              .pair = read_words(root, "pair", words),
+                              .rows = read_isometry_rows(root, words),
                               .cocycle = read_indices(member(root, "cocycle"), "the cocycle")};
-  for (const Json& row : array(member(root, "isometries"), "isometries")) {
-    expect_members(row, {"preserves_orientation", "images"});
-    document.isometries.push_back({read_bool(member(row, "preserves_orientation")), read_words(row, "images", words)});
-  }
   return document;
 }
 

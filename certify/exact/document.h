@@ -129,8 +129,25 @@ struct DistanceDocument {
   bool equal;
 };
 
+/// Isometries of a surface, by the images of a pair of elements and of the generators of its group.
+struct IsometryRows {
+  using Word = std::vector<Index>;
+  struct Row {
+    bool preserves_orientation;
+    std::vector<Word> images;
+  };
+
+  std::vector<Row> isometries;
+  std::vector<Word> paths;
+  std::vector<Word> pair;
+};
+
 struct BoundDocument {
   enum class Claim { diameter, radius, embedded_disk };
+  struct Symmetry {
+    RationalPoint centre;
+    IsometryRows rows;
+  };
   struct Triangulation {
     Index parent;
     std::vector<Index> flips;
@@ -141,6 +158,7 @@ struct BoundDocument {
   std::array<mpq_class, 2> value;
   std::vector<Triangulation> triangulations;
   std::vector<Index> base;
+  std::optional<Symmetry> symmetry;
   std::vector<std::vector<Index>> cells;
 };
 
@@ -227,17 +245,9 @@ struct EigenvaluesDocument {
 };
 
 struct IsometriesDocument {
-  using Word = std::vector<Index>;
-  struct Row {
-    bool preserves_orientation;
-    std::vector<Word> images;
-  };
-
   GeodesicsDocument spectrum;
   Index order;
-  std::vector<Row> isometries;
-  std::vector<Word> paths;
-  std::vector<Word> pair;
+  IsometryRows rows;
   std::vector<Index> cocycle;
 };
 

@@ -17,7 +17,7 @@
 namespace epsnet::exact {
 namespace {
 
-using Word = IsometriesDocument::Word;
+using Word = IsometryRows::Word;
 
 /// Letters that are read for the orbit of the cocycle: some seconds.
 constexpr std::size_t kMostLetters = 100'000'000;
@@ -32,7 +32,7 @@ class IsometryRules {
 
   [[nodiscard]] std::vector<Rule> rules() {
     std::vector<Rule> rules = spectrum_.rules();
-    rules.push_back({"isometries", [this] { check_isometries(); }});
+    rules.push_back({"isometries", [this] { expect_isometries(net_, document_.rows); }});
     rules.push_back({"least", [this] { check_least(); }, true});
     rules.push_back({"most", [this] { check_most(); }});
     return rules;
@@ -43,9 +43,7 @@ class IsometryRules {
 
   void check_structure() const {
     if (document_.order == 0) throw Malformed("the order is 0");
-    net_.expect_paths(document_.paths);
-    net_.expect_loops(document_.pair, 2, "pair");
-    for (const auto& row : document_.isometries) net_.expect_loops(row.images, 2 + net_.sides() / 2, "images");
+    net_.expect_words(document_.rows);
     if (document_.cocycle.size() != net_.sides() / 2) throw Malformed("cocycle: another number of values");
     const Values c = by_side(document_.cocycle);
     for (Index first = 0; first < net_.sides(); ++first) {
@@ -68,53 +66,11 @@ class IsometryRules {
     return result;
   }
 
-  // Rule `isometries`.
-
-  /// Whether the traces are equal up to their signs, and the product of these.
-  static std::pair<bool, int> compare_traces(const Isometry<R>& f, const Isometry<R>& g) {
-    const R difference = f.a.re * f.a.re * (norm(g.a) - norm(g.b)) - g.a.re * g.a.re * (norm(f.a) - norm(f.b));
-    return {sgn(difference) == 0, sgn(f.a.re) * sgn(g.a.re)};
-  }
-
-  void check_isometries() {
-    const auto from = basis_of_matrices(net_, document_.pair[0], document_.pair[1]);
-    const int sign = crossing_sign(from[1], from[2]);
-    if (sign == 0) throw Refutation{"the axes of the pair do not cross"};
-    std::vector<Isometry<R>> elements;
-    for (const Word& word : net_.generators(document_.paths)) elements.push_back(positive_element(net_, word));
-    for (std::size_t i = 0; i < document_.isometries.size(); ++i) {
-      const auto& [preserves_orientation, images] = document_.isometries[i];
-      const std::string name = "isometry " + number(i);
-      const auto to = basis_of_matrices(net_, images[0], images[1]);
-      for (std::size_t k = 1; k < 4; ++k) {
-        if (compare_traces(from.at(k), to.at(k)) != std::pair(true, 1)) throw Refutation{name + " changes traces"};
-      }
-      for (std::size_t n = 0; n < elements.size(); ++n) {
-        if (!has_traces_of(elements[n], from, positive_element(net_, images[n + 2]), to))
-          throw Refutation{name + " changes traces of generator " + number(n)};
-      }
-      if ((crossing_sign(to[1], to[2]) == sign) != preserves_orientation)
-        throw Refutation{name + (preserves_orientation ? " reverses the orientation" : " preserves the orientation")};
-    }
-  }
-
-  /// Lemma 38, for one sign of the image.
-  bool has_traces_of(const Isometry<R>& g, const std::array<Isometry<R>, 4>& from, const Isometry<R>& image,
-                     const std::array<Isometry<R>, 4>& to) {
-    int sign = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto [equal, product] = compare_traces(net_.product(from.at(k), g), net_.product(to.at(k), image));
-      if (!equal || sign * product < 0) return false;
-      if (product != 0) sign = product;
-    }
-    return true;
-  }
-
   // Rule `least`.
 
   void check_least() const {
     std::size_t letters = 1;
-    for (const auto& row : document_.isometries) {
+    for (const auto& row : document_.rows.isometries) {
       for (const Word& word : row.images) letters += word.size() + 1;
     }
     const auto sum = [](const Values& c, const Word& word) {
@@ -122,13 +78,13 @@ class IsometryRules {
     };
     Values first;
     const Values given = by_side(document_.cocycle);
-    for (const Word& word : net_.generators(document_.paths)) first.push_back(sum(given, word));
+    for (const Word& word : net_.generators(document_.rows.paths)) first.push_back(sum(given, word));
     std::set<Values> orbit{first};
     std::vector<Values> reached{first};
     for (std::size_t i = 0; i < reached.size() && orbit.size() <= document_.order; ++i) {
       if (i * letters > kMostLetters) give_up("the group is too large for this checker");
       const Values c = by_side(reached[i]);
-      for (const auto& row : document_.isometries) {
+      for (const auto& row : document_.rows.isometries) {
         Values moved;
         std::for_each(row.images.begin() + 2, row.images.end(), [&](const Word& w) { moved.push_back(sum(c, w)); });
         if (orbit.insert(moved).second) reached.push_back(std::move(moved));
@@ -142,7 +98,7 @@ class IsometryRules {
 
   void check_most() {
     PairSearch<R> search(net_, spectrum_.loops());
-    const std::size_t most = possible_isometries(net_, search, document_.paths, search, document_.order);
+    const std::size_t most = possible_isometries(net_, search, document_.rows.paths, search, document_.order);
     const std::string found = "there are at most " + number(most);
     if (most > document_.order) give_up(found);
     if (most < document_.order) throw Refutation{found};

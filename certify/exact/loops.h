@@ -84,6 +84,16 @@ template <class R>
   return {{entry(g.a.re), entry(g.a.im)}, {entry(g.b.re), entry(g.b.im)}};
 }
 
+/// An element of the group at tile 0, in the chart of a vertex, given paths from tile 0 to all tiles.
+template <class R>
+[[nodiscard]] Motion element_at_vertex(NetRules<R>& net, const std::vector<Index>& word, Index v,
+                                       const std::vector<std::vector<Index>>& paths) {
+  const Index chart = net.net().vertices[v].chart;
+  const Isometry<R> to_tile = net.value(paths[net.net().charts[chart].first]);
+  const Isometry<R> to_chart = net.product(inverse(net.frame(chart)), to_tile);
+  return enclose(net.product(to_chart, net.product(net.value(word), inverse(to_chart))));
+}
+
 /// Points of vertices, found again by where they are.
 class PointTable {
  public:

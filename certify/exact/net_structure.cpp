@@ -73,6 +73,12 @@ void NetStructure::expect_loops(const std::vector<std::vector<Index>>& words, st
   for (const auto& word : words) expect_path(word, 0, 0);
 }
 
+void NetStructure::expect_words(const IsometryRows& rows) const {
+  expect_paths(rows.paths);
+  expect_loops(rows.pair, 2, "pair");
+  for (const IsometryRows::Row& row : rows.isometries) expect_loops(row.images, 2 + sides() / 2, "images");
+}
+
 std::vector<std::vector<Index>> NetStructure::paths() const {
   std::vector<std::vector<Index>> result(net_.tile_count());
   std::vector<bool> reached(result.size());

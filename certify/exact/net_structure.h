@@ -33,6 +33,8 @@ class NetStructure {
   void expect_loops(const std::vector<std::vector<Index>>& words, std::size_t size, const char* what) const;
   /// A path from tile 0 to each tile.
   [[nodiscard]] std::vector<std::vector<Index>> paths() const;
+  /// Of isometries: paths, a pair, and the images of this and of the generators. Throws Malformed.
+  void expect_words(const IsometryRows& rows) const;
   /// The generators g_s = paths[t] · s · paths[t′]⁻¹ of the group, by side s less than its partner. Throws TooLarge.
   [[nodiscard]] std::vector<std::vector<Index>> generators(const std::vector<std::vector<Index>>& paths) const;
 

@@ -43,6 +43,22 @@ struct Basis {
     return may_be_equal(uu, other.uu) && may_be_equal(uv, other.uv) && may_be_equal(vv, other.vv);
   }
 
+  /// What a vector is in u, v and w = u × v.
+  [[nodiscard]] Vector coordinates(const Vector& p) const {
+    const Vector w = cross_product(u, v);
+    const Interval pu = lorentz_product(p, u);
+    const Interval pv = lorentz_product(p, v);
+    const Interval determinant = uu * vv - square(uv);
+    return {(pu * vv - pv * uv) / determinant, (pv * uu - pu * uv) / determinant,
+            lorentz_product(p, w) / lorentz_product(w, w)};
+  }
+  /// The vector that has these.
+  [[nodiscard]] Vector combination(const Vector& c) const {
+    const Vector w = cross_product(u, v);
+    const auto entry = [&](std::size_t i) { return c[0] * u.at(i) + c[1] * v.at(i) + c[2] * w.at(i); };
+    return {entry(0), entry(1), entry(2)};
+  }
+
   Vector u;
   Vector v;
   Interval uu;
@@ -52,23 +68,12 @@ struct Basis {
 
 /// Half of the trace of an element, and its normal in a basis.
 struct Coordinates {
-  Coordinates(const Motion& g, const Basis& basis) : half_trace(g.a.re) {
-    const Vector n = axis_normal(g);
-    const Vector w = cross_product(basis.u, basis.v);
-    const Interval nu = lorentz_product(n, basis.u);
-    const Interval nv = lorentz_product(n, basis.v);
-    const Interval determinant = basis.uu * basis.vv - square(basis.uv);
-    normal = {(nu * basis.vv - nv * basis.uv) / determinant, (nv * basis.uu - nu * basis.uv) / determinant,
-              lorentz_product(n, w) / lorentz_product(w, w)};
-  }
+  Coordinates(const Motion& g, const Basis& basis) : half_trace(g.a.re), normal(basis.coordinates(axis_normal(g))) {}
 
   /// The element that has the same in another basis.
   [[nodiscard]] Motion in(const Basis& basis) const {
-    const Vector w = cross_product(basis.u, basis.v);
-    const auto entry = [&](std::size_t i) {
-      return normal[0] * basis.u.at(i) + normal[1] * basis.v.at(i) + normal[2] * w.at(i);
-    };
-    return {{half_trace, entry(2)}, {entry(1), -entry(0)}};
+    const Vector n = basis.combination(normal);
+    return {{half_trace, n[2]}, {n[1], -n[0]}};
   }
 
   Interval half_trace;
@@ -149,12 +154,8 @@ class PairSearch {
     return result;
   }
 
-  /// An element of the group at tile 0, in the chart of a vertex, given paths from tile 0 to all tiles.
   Motion at_vertex(const std::vector<Index>& word, Index v, const std::vector<std::vector<Index>>& paths) {
-    const Index chart = net_.net().vertices[v].chart;
-    const Isometry<R> to_tile = net_.value(paths[net_.net().charts[chart].first]);
-    const Isometry<R> to_chart = net_.product(inverse(net_.frame(chart)), to_tile);
-    return enclose(net_.product(to_chart, net_.product(net_.value(word), inverse(to_chart))));
+    return element_at_vertex(net_, word, v, paths);
   }
 
   /// Whether an isometry may be an element of the group at vertex v. If it is, it takes the vertex to a lift of it, to

@@ -20,17 +20,6 @@ std::uint64_t digits(const mpq_class& x) {
   return x.get_den() == 1 ? numerator : numerator + mpz_sizeinbase(x.get_den_mpz_t(), 10);
 }
 
-/// x² + y² < 1, exactly. The binary64 sum is within 2⁻⁵⁰ of the true one while that is at most 2, and above 1 where it
-/// is more.
-bool inside_disk(double x, double y) {
-  if (!std::isfinite(x) || !std::isfinite(y)) return false;
-  const double square = x * x + y * y;
-  if (square < 1 - 1e-14) return true;
-  const mpq_class exact_x(x);
-  const mpq_class exact_y(y);
-  return exact_x * exact_x + exact_y * exact_y < 1;
-}
-
 /// Every side occurs once; none of those that `glued` has, by tile, has occurred so far. There are `sides` of them.
 Problem gluing_problem(const SurfaceDocument& surface, std::vector<std::vector<bool>> glued, std::size_t sides) {
   const auto row_problem = [&](const SurfaceDocument::Gluing& row) -> Problem {
@@ -290,6 +279,16 @@ Problem word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>
   if (tile == to) return std::nullopt;
   return "the word ends in tile " + std::to_string(tile) + ", expected the tile " + std::to_string(to) + " of " +
          target;
+}
+
+bool inside_disk(double x, double y) {
+  if (!std::isfinite(x) || !std::isfinite(y)) return false;
+  // The binary64 sum is within 2⁻⁵⁰ of the true one while that is at most 2, and above 1 where it is more.
+  const double square = x * x + y * y;
+  if (square < 1 - 1e-14) return true;
+  const mpq_class exact_x(x);
+  const mpq_class exact_y(y);
+  return exact_x * exact_x + exact_y * exact_y < 1;
 }
 
 bool is_length(Interval x) { return std::isfinite(x.upper) && 0 <= x.lower && x.lower <= x.upper; }

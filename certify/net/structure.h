@@ -74,6 +74,9 @@ inline constexpr std::size_t kMaxFieldDegree = 64;
 [[nodiscard]] Problem word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>& word,
                                    std::uint32_t from, std::uint32_t to, const std::string& target);
 
+/// x² + y² < 1, exactly.
+[[nodiscard]] bool inside_disk(double x, double y);
+
 /// Whether both ends are finite, not negative, and in order.
 [[nodiscard]] bool is_length(Interval x);
 

@@ -14,6 +14,8 @@
 #include "certify/numbers/parallel.h"
 #include "netgen/distances/distances.h"
 #include "netgen/distances/vertex_triangulation.h"
+#include "netgen/isometries/fundamental_domain.h"
+#include "netgen/isometries/isometries.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/nets/triangulations.h"
@@ -423,24 +425,45 @@ class PartSearch {
   Point summit_{};
 };
 
-/// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
-/// the greatest value that was found plus the width. For a radius the function is minus the eccentricity.
+/// The triangles around the centre of a domain, as a file numbers them.
+std::vector<PlacedTriangle> triangles_of(const FundamentalDomain& domain) {
+  const auto cosh_distance = [](const Point& p, const Point& q) { return Number(-lorentz_product(p, q)); };
+  const Point centre = on_hyperboloid(Complex<Number>{Number(domain.centre[0]), Number(domain.centre[1])});
+  std::vector<PlacedTriangle> result;
+  for (std::size_t i = 0; i < domain.corners.size(); ++i) {
+    const Point& p = domain.corners[i];
+    const Point& q = domain.corners[(i + 1) % domain.corners.size()];
+    result.push_back({{centre, p, q}, {cosh_distance(centre, p), cosh_distance(p, q), cosh_distance(q, centre)}});
+  }
+  return result;
+}
+
+/// Branch and bound: the triangles of a triangulation with one vertex, or of a domain of isometries, are cut until the
+/// bounds of all cells are at most the greatest value that was found plus the width. For a radius the function is minus
+/// the eccentricity.
 ///
 /// Each triangle of a base is a part with elements and triangulations of its own. Parts go on in rounds, and tell each
 /// other between rounds how great a value they found; so the result does not depend on the number of threads.
 class BoundSearch {
  public:
-  /// Requires: the base is Delaunay.
-  BoundSearch(Triangulation& base, const Goal& goal, const BoundOptions& options)
+  /// Requires: the base is Delaunay. With a domain, in the chart of its vertex, only that is searched.
+  BoundSearch(Triangulation& base, std::optional<FundamentalDomain> domain, const Goal& goal,
+              const BoundOptions& options)
       : goal_(goal),
         options_(options),
         threads_(certify::thread_count(options.threads)),
         sites_(base),
-        base_(sites_.map(0), sites_.start().point, sites_.elements()),
+        domain_(std::move(domain)),
         at_vertex_(value_at(goal.claim, sites_, sites_.start())) {
-    base_.refine(options.most_cells);
     std::vector<PlacedTriangle> triangles;
-    for (std::uint32_t t = 0; t < base_.triangle_count(); ++t) triangles.push_back(base_.triangle(t));
+    if (domain_) {
+      triangles = triangles_of(*domain_);
+    } else {
+      CellBase cells(sites_.map(0), sites_.start().point, sites_.elements());
+      cells.refine(options.most_cells);
+      for (std::uint32_t t = 0; t < cells.triangle_count(); ++t) triangles.push_back(cells.triangle(t));
+      base_ = cells.steps();
+    }
     place(triangles);
     for (std::size_t t = 0; t < triangles.size(); ++t) parts_.emplace_back(triangles[t], sites_, near_[t], goal);
     share();
@@ -492,7 +515,8 @@ class BoundSearch {
     for (std::size_t t = 0; t < parts_.size(); ++t) {
       document.cells.push_back(parts_[t].describe(number[near_[t].triangulation], triangulations));
     }
-    document.base = base_.steps();
+    document.base = base_;
+    if (domain_) document.symmetry = {domain_->rows, domain_->centre};
     document.triangulations = triangulations.take();
   }
 
@@ -582,7 +606,8 @@ class BoundSearch {
   unsigned threads_;
   Sites sites_;
   Point vertex_ = sites_.start().point;
-  CellBase base_;
+  std::optional<FundamentalDomain> domain_;
+  std::vector<std::uint32_t> base_;  ///< Its steps, if there is no domain.
   double at_vertex_;
   std::vector<Site> near_;  ///< By triangle of the base.
   std::deque<PartSearch> parts_;
@@ -626,17 +651,34 @@ certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
   return net_document(triangulation, Length(std::ceil(eccentricity) + 2));
 }
 
+/// The isometries of a surface, if they are found easily.
+std::optional<IsometryGroup> symmetries(const Surface& surface, const BoundOptions& options) {
+  try {
+    return isometries(surface, {.threads = options.threads, .progress = options.progress});
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim, const BoundOptions& options) {
   if (!(options.width >= kLeastBoundWidth)) throw std::invalid_argument("the width is less than 1e-12");
+  const std::optional<IsometryGroup> group = symmetries(surface, options);
+  const auto domain_near_vertex = [&](const Triangulation& base) -> std::optional<FundamentalDomain> {
+    if (!group || group->size() == 1) return std::nullopt;
+    const Vertex& vertex = base.vertex(VertexId(0));
+    return fundamental_domain(surface, *group, base.atlas().charts()[vertex.chart],
+                              on_hyperboloid(convert<Number>(vertex.z)));
+  };
   Triangulation base = delaunay_start_of_point(surface, std::nullopt).triangulation;
   // What a coarse search finds is good enough if the fine one succeeds, whatever the coarse one is short of.
-  std::optional<BoundSearch> search(std::in_place, base, Goal{claim, Climb::yes, 2 * options.width}, options);
+  std::optional<BoundSearch> search(std::in_place, base, domain_near_vertex(base),
+                                    Goal{claim, Climb::yes, 2 * options.width}, options);
   search->run();
   constexpr int kMostBases = 20;
   for (int bases = 0; bases == 0 || (search->is_greater_elsewhere() && bases < kMostBases); ++bases) {
     // Each time but the first, the value at the vertex is greater by half of the width.
     base = delaunay_near(surface, base, search->summit(), options.width);
-    search.emplace(base, Goal{claim, Climb::no, options.width * (1 - 1e-3)}, options);
+    search.emplace(base, domain_near_vertex(base), Goal{claim, Climb::no, options.width * (1 - 1e-3)}, options);
     search->run();
   }
   search->require_narrow();

@@ -118,19 +118,30 @@ std::vector<std::vector<std::uint32_t>> images_of(const Surface& surface, const 
   return letters_of_all(result);
 }
 
+}  // namespace
+
+certify::IsometryRows isometry_rows(const Surface& surface, const std::vector<SurfaceIsometry>& isometries) {
+  certify::IsometryRows result;
+  result.paths = letters_of_all(polygon_paths(surface));
+  const std::vector<Word> pair = crossing_pair(surface);
+  result.pair = letters_of_all(pair);
+  const Substitution image_of(surface, surface);
+  for (const SurfaceIsometry& f : isometries) {
+    result.isometries.push_back({f.preserves_orientation, images_of(surface, image_of, pair, f)});
+  }
+  return result;
+}
+
+namespace {
+
 /// But for the spectrum.
 IsometriesDocument document_of(const Surface& surface, const IsometryGroup& group) {
   IsometriesDocument result;
   result.order = static_cast<std::uint32_t>(group.size());
-  result.paths = letters_of_all(polygon_paths(surface));
-  const std::vector<Word> pair = crossing_pair(surface);
-  result.pair = letters_of_all(pair);
+  std::vector<SurfaceIsometry> generators;
+  for (const std::uint32_t g : group.generators()) generators.push_back(group.isometry(g));
+  static_cast<certify::IsometryRows&>(result) = isometry_rows(surface, generators);
   result.cocycle = random_cocycle(surface);
-  const Substitution image_of(surface, surface);
-  for (const std::uint32_t g : group.generators()) {
-    const SurfaceIsometry f = group.isometry(g);
-    result.isometries.push_back({f.preserves_orientation, images_of(surface, image_of, pair, f)});
-  }
   return result;
 }
 

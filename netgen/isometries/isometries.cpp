@@ -155,26 +155,10 @@ Match match_of(const LiftedTiles& tiles, const Pair& pair, const MapAutomorphism
 
 }  // namespace
 
-/// The isometries that generate a group, as isometries of the plane.
-struct IsometryGroup::Lifts {
-  Source source;
-  std::vector<Motion<Number>> generators;
-
-  [[nodiscard]] const LiftedTiles& tiles() const { return source.tiles(); }
-
-  /// The same isometry of the surface, but one that moves the middle of tile 0 not far.
-  [[nodiscard]] Motion<Number> near(const Motion<Number>& f) const {
-    const Surface& surface = tiles().surface();
-    const Word way = tiles().walk(TileId(0), f(tiles().centre(TileId(0))));
-    const Word back = path_between_tiles(surface, tiles().end_of(TileId(0), way), TileId(0));
-    return motion(tiles().value(back) * tiles().value(way)) * f;
-  }
-};
-
 /// Collects isometries and counts what they generate.
 class IsometryGroup::Builder {
  public:
-  Builder(const Surface& surface, std::shared_ptr<Lifts> lifts)
+  Builder(const Surface& surface, std::shared_ptr<IsometryLifts> lifts)
       : lifts_(std::move(lifts)), homology_(surface), class_(homology_.dimension()) {
     // Isometries are told apart by where they take a class of the homology: none but the identity fixes a random one.
     std::mt19937 random;
@@ -262,7 +246,7 @@ class IsometryGroup::Builder {
     return result;
   }
 
-  std::shared_ptr<Lifts> lifts_;
+  std::shared_ptr<IsometryLifts> lifts_;
   Homology homology_;
   Homology::Vector class_;
   std::vector<HomologyMap> maps_;  ///< By generator,
@@ -353,7 +337,7 @@ std::string IsometryGroup::name() const {
 IsometryGroup isometries(const Surface& surface, const IsometryOptions& options) {
   certify::GeodesicsDocument geodesics =
       unproved::spectrum(surface, list_length(surface, options), geodesics_options(options));
-  const auto lifts = std::make_shared<IsometryGroup::Lifts>(IsometryGroup::Lifts{Source(surface, geodesics), {}});
+  const auto lifts = std::make_shared<IsometryLifts>(IsometryLifts{Source(surface, geodesics), {}});
   const Source& source = lifts->source;
   const LiftedTiles& tiles = source.tiles();
   std::vector<Line> as_long;

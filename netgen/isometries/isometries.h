@@ -34,6 +34,8 @@ struct SurfaceIsometry {
 /// The words of these generators: paths from tile 0 to itself. O(sides) but for the letters.
 [[nodiscard]] std::vector<Word> generator_words(const Surface& surface);
 
+struct IsometryLifts;
+
 /// The isometries of a surface, a group. Copies share what does not change.
 class IsometryGroup {
  public:
@@ -65,13 +67,13 @@ class IsometryGroup {
 
  private:
   friend IsometryGroup isometries(const Surface& surface, const struct IsometryOptions& options);
-  struct Lifts;
+  friend class DomainSearch;
   class Builder;
 
   /// The places of generators of which an isometry is the product, the first one applied first.
   [[nodiscard]] std::vector<std::uint32_t> factors(std::uint32_t i) const;
 
-  std::shared_ptr<const Lifts> lifts_;
+  std::shared_ptr<const IsometryLifts> lifts_;
   std::vector<std::uint32_t> generators_;
   std::vector<std::vector<std::uint32_t>> action_;  ///< By generator g and isometry j: g after j.
   /// By isometry other than the identity: it is a generator, by its place, after another isometry.
@@ -106,6 +108,11 @@ struct IsometryOptions {
 [[nodiscard]] Certified<certify::IsometriesDocument> certified_isometries(const Surface& surface,
                                                                           const IsometryGroup& group,
                                                                           const IsometryOptions& options = {});
+
+/// Returns what files say of isometries of a surface; not proved. O(letters of the images). Throws LimitError if no
+/// elements are found of which the axes cross.
+[[nodiscard]] certify::IsometryRows isometry_rows(const Surface& surface,
+                                                  const std::vector<SurfaceIsometry>& isometries);
 
 /// What comes near to an isometry between two surfaces, as where the numbers of one of them are rounded: an isomorphism
 /// of their groups that hardly changes traces. Computed with 512 bits, not proved.

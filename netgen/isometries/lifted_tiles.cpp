@@ -202,16 +202,30 @@ Word ElementSearch::way_to_domain(TileId tile, const Complex<Mp1024>& point) con
   return way;
 }
 
-Word ElementSearch::Elements::word(const Element& element) const {
-  const Surface& surface = search_->tiles().surface();
+Word ElementSearch::Elements::way(std::uint32_t lift) const {
   std::vector<std::uint32_t> crossed;
-  for (std::uint32_t lift = element.lift; lift != 0; lift = lifts_[lift].before) crossed.push_back(lifts_[lift].side);
+  for (; lift != 0; lift = lifts_[lift].before) crossed.push_back(lifts_[lift].side);
   Word out = start_;
   for (auto side = crossed.rbegin(); side != crossed.rend(); ++side) {
-    out = concatenated(surface, std::move(out), search_->cell_sides_[*side].way);
+    out = concatenated(search_->tiles().surface(), std::move(out), search_->cell_sides_[*side].way);
   }
+  return out;
+}
+
+Word ElementSearch::Elements::word(const Element& element) const {
+  const Surface& surface = search_->tiles().surface();
   // The path out leads to the lift; its value leads back.
-  return reversed(surface, concatenated(surface, std::move(out), reversed(surface, start_)));
+  return reversed(surface, concatenated(surface, way(element.lift), reversed(surface, start_)));
+}
+
+std::optional<ById<TileId, std::vector<ElementSearch::Elements::TileLift>>> ElementSearch::Elements::tile_lifts()
+    const {
+  if (search_->domain_) return std::nullopt;
+  ById<TileId, std::vector<TileLift>> result(search_->cells_.size());
+  for (std::uint32_t i = 0; i < lifts_.size(); ++i) {
+    result[TileId(lifts_[i].cell)].push_back({convert<double>(lifts_[i].frame), i});
+  }
+  return result;
 }
 
 ElementSearch::Elements ElementSearch::elements(TileId tile, const Vector& point, double radius,

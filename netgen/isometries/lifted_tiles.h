@@ -145,6 +145,16 @@ class ElementSearch {
     /// The word of an element, from the tile that the point was given in to itself.
     [[nodiscard]] Word word(const Element& element) const;
 
+    /// A lift of a tile within the distance R of the point.
+    struct TileLift {
+      Isometry<double> frame;  ///< From the coordinates of the tile; determinant 1.
+      std::uint32_t lift;      ///< For `way`.
+    };
+    /// By tile: its lifts near the point. Nothing if cells are not tiles.
+    [[nodiscard]] std::optional<ById<TileId, std::vector<TileLift>>> tile_lifts() const;
+    /// The path to a lift, from the tile that the point was given in.
+    [[nodiscard]] Word way(std::uint32_t lift) const;
+
    private:
     friend class ElementSearch;
     struct Lift {

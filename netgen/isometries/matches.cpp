@@ -253,4 +253,10 @@ std::optional<bool> Source::is_exact(const Match& match, const LiftedTiles& to, 
   return are_conjugate(from, to.surface(), pairs);
 }
 
+Motion<Number> IsometryLifts::near(const Motion<Number>& f) const {
+  const Word way = tiles().walk(TileId(0), f(tiles().centre(TileId(0))));
+  const Word back = path_between_tiles(tiles().surface(), tiles().end_of(TileId(0), way), TileId(0));
+  return motion(tiles().value(back) * tiles().value(way)) * f;
+}
+
 }  // namespace epsnet

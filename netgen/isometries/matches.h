@@ -97,4 +97,15 @@ struct Source {
                                              const std::vector<Word>& images) const;
 };
 
+/// The isometries that generate a group, as isometries of the plane in the coordinates of tile 0.
+struct IsometryLifts {
+  Source source;
+  std::vector<Motion<LiftedTiles::Number>> generators;
+
+  [[nodiscard]] const LiftedTiles& tiles() const { return source.tiles(); }
+
+  /// The same isometry of the surface, but one that moves the middle of tile 0 not far.
+  [[nodiscard]] Motion<LiftedTiles::Number> near(const Motion<LiftedTiles::Number>& f) const;
+};
+
 }  // namespace epsnet

@@ -4439,6 +4439,111 @@ def embedded_disk_of_radius_nothing():
     return with_(document, value=[0, document["value"][1]])
 
 
+def in_a_domain(name="octagon-diameter-domain"):
+    """A bound file with a symmetry, and that."""
+    document = bound_file(name)
+    return document, document["symmetry"]
+
+
+@refuted("isometries")
+def bound_with_a_row_that_is_no_isometry():
+    """Of one side of the domain the image of a generator is another element."""
+    document, symmetry = in_a_domain()
+    images = symmetry["isometries"][1]["images"]
+    images[2], images[3] = images[3], images[2]
+    return document
+
+
+@refuted("isometries")
+def bound_with_an_isometry_said_to_reverse_the_orientation():
+    """The image of the centre is then another point."""
+    document, symmetry = in_a_domain()
+    symmetry["isometries"][0]["preserves_orientation"] = False
+    return document
+
+
+@refuted("isometries")
+def bound_with_the_reflections_of_a_surface_without_any():
+    """An octagon, with the isometries of Bolza's surface, and a net of its own."""
+    document, symmetry = in_a_domain()
+    _, other = in_a_domain("bolza-radius-domain")
+    symmetry.update(isometries=other["isometries"], pair=other["pair"])
+    return with_(document, cells=[[3]] * len(other["isometries"]))
+
+
+@refuted("cells")
+def bound_with_the_sides_of_a_domain_in_another_order():
+    """Two sides that follow each other are exchanged, with the cells of their triangles: their lines meet farther out."""
+    document, symmetry = in_a_domain()
+    for rows in (symmetry["isometries"], document["cells"]):
+        rows[1], rows[2] = rows[2], rows[1]
+    return document
+
+
+@refuted("domain")
+def bound_with_the_sides_of_a_domain_clockwise():
+    """They surround the centre the other way round."""
+    document, symmetry = in_a_domain()
+    symmetry["isometries"].reverse()
+    document["cells"].reverse()
+    return document
+
+
+@refuted("domain")
+def bound_with_three_sides_of_a_domain():
+    """They do not surround the centre."""
+    document, symmetry = in_a_domain()
+    symmetry["isometries"] = symmetry["isometries"][:3]
+    document["cells"] = document["cells"][:3]
+    return document
+
+
+@refuted("domain")
+def bound_with_a_centre_outside_of_the_reflections():
+    """The mirrors bound a triangle; seen from the other side of one of them they do not surround the centre."""
+    document, symmetry = in_a_domain("bolza-radius-domain")
+    symmetry["centre"] = [-x for x in symmetry["centre"]]
+    return document
+
+
+@refuted("cells")
+def bound_of_a_domain_that_is_not_cut():
+    """Each triangle of the domain is one cell."""
+    document, _ = in_a_domain()
+    return with_(document, cells=[[3]] * len(document["cells"]))
+
+
+@refuted("cells")
+def radius_in_a_domain_said_to_be_larger():
+    """LO is HI."""
+    document, _ = in_a_domain("bolza-radius-domain")
+    return with_(document, value=[document["value"][1]] * 2)
+
+
+@malformed("base")
+def bound_with_a_base_and_a_domain():
+    """One would not know which is cut into cells."""
+    document, _ = in_a_domain()
+    return with_(document, base=[1])
+
+
+@malformed("symmetry")
+def bound_with_a_centre_on_the_circle():
+    """It is no point."""
+    document, symmetry = in_a_domain()
+    symmetry["centre"] = [0.6, 0.8]
+    return document
+
+
+@malformed("symmetry")
+def bound_with_two_sides_of_a_domain():
+    """Two lines surround nothing."""
+    document, symmetry = in_a_domain("bolza-radius-domain")
+    symmetry["isometries"] = symmetry["isometries"][:2]
+    document["cells"] = document["cells"][:2]
+    return document
+
+
 @malformed("bound file")
 def bound_with_another_claim():
     """A claim that does not exist."""

@@ -1194,6 +1194,31 @@ def bound_of_far_elements():
     return result
 
 
+def bound_in_a_domain():
+    with open(os.path.join(data, "bounds", "octagon-diameter-domain.json")) as file:
+        return json.load(file)
+
+
+@kind
+def bound_of_a_domain_of_many_sides():
+    """The sides of a domain again and again: the corners go around the centre many times."""
+    result = bound_in_a_domain()
+    rows, cells = result["symmetry"]["isometries"], result["cells"]
+    times = (SIZE - 10_000) // (len(json.dumps(rows, separators=(",", ":"))) + len(json.dumps(cells)))
+    result["symmetry"]["isometries"], result["cells"] = rows * times, cells * times
+    return result
+
+
+@kind
+def bound_of_a_domain_along_a_long_path():
+    """A path of hundreds of thousands of letters, on both sides of the words of each row."""
+    result = bound_in_a_domain()
+    result["symmetry"]["isometries"] *= 40
+    result["cells"] *= 40
+    result["symmetry"]["paths"] = [filled([], [0], result)]
+    return result
+
+
 @kind
 def bound_of_many_cells():
     """A diameter with cells that are cut again and again; what bounds a cell bounds its parts."""

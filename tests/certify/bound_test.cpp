@@ -12,8 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "certify/claims/bound/domain.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/net/numbering.h"
+#include "certify/net/surface_check.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/moving_vertex.h"
 #include "tests/certify/reference.h"
@@ -46,6 +48,14 @@ std::vector<BoundDocument> all_files() { return {regular(), octagon(), disk()}; 
 BoundDocument octagon_from_base() { return load("octagon-diameter-base"); }
 std::vector<BoundDocument> files_with_base() {
   return {octagon_from_base(), load("octagon-embedded-disk-base"), load("octagon-radius-base")};
+}
+
+/// And with cells cut from a domain: of the hyperelliptic involution, and of the 96 isometries of Bolza's surface.
+BoundDocument octagon_from_domain() { return load("octagon-diameter-domain"); }
+BoundDocument bolza_from_domain() { return load("bolza-radius-domain"); }
+std::vector<BoundDocument> files_with_domain() {
+  return {octagon_from_domain(), load("octagon-embedded-disk-domain"), load("octagon-radius-domain"),
+          bolza_from_domain()};
 }
 
 /// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
@@ -185,6 +195,194 @@ TEST(BoundFromABase, AnEdgeOfOneTriangleIsNeitherFlippedNorSplit) {
     ASSERT_EQ(found.size(), 2U) << kind;
     EXPECT_EQ(found[0] / 3, found[1] / 3) << kind;
   }
+}
+
+/// The triangles around the centre, with 256 bits.
+std::vector<std::array<BallVector, 3>> domain_of(const BoundDocument& document) {
+  const LabelParts parts = label_parts(check_surface(document.net.surface).crossings, document.net.charts, Budget());
+  const Domain domain(document.net, *document.symmetry, parts);
+  const Domain::Placed placed = domain.place(256, 1024, 1);
+  EXPECT_EQ(placed.surrounds, Tri::yes);
+  return placed.triangles;
+}
+
+double cosh_distance(const BallVector& p, const BallVector& q) {
+  return -fast_interval(lorentz_product(p, q, 256)).lower;
+}
+
+TEST(BoundInADomain, IsVerifiedByTwoMoreRules) {
+  for (const BoundDocument& document : files_with_domain()) {
+    const Certificate certificate = checked(document);
+    EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+    ASSERT_EQ(certificate.rules.size(), 12U);
+    EXPECT_EQ(certificate.rules[9].rule, "isometries");
+    EXPECT_EQ(certificate.rules[10].rule, "domain");
+    EXPECT_EQ(certificate.rules[10].text,
+              std::to_string(document.symmetry->isometries.size()) + " sides around the centre");
+    EXPECT_EQ(certificate.rules[11].rule, "cells");
+  }
+}
+
+TEST(BoundInADomain, EnclosesTheSameNumberAsOneOfTheWholeSurface) {
+  const auto expect_overlap = [](Interval x, Interval y) {
+    EXPECT_LT(x.lower, y.upper);
+    EXPECT_LT(y.lower, x.upper);
+  };
+  expect_overlap(octagon_from_domain().value, octagon().value);
+  expect_overlap(load("octagon-embedded-disk-domain").value, disk().value);
+  expect_overlap(load("octagon-radius-domain").value, octagon_radius().value);
+}
+
+/// The domain of the isometries of Bolza's surface is the triangle of the mirrors, with the angles π/2, π/3 and π/8:
+/// cosh a = cos α/sin β for the legs, and cot α cot β for the side opposite to the right angle.
+TEST(BoundInADomain, OfReflectionsIsTheTriangleOfTheirMirrors) {
+  const double third = std::numbers::pi / 3;
+  const double eighth = std::numbers::pi / 8;
+  std::vector<double> sides;
+  for (const auto& [centre, p, q] : domain_of(bolza_from_domain())) sides.push_back(cosh_distance(p, q));
+  std::sort(sides.begin(), sides.end());
+  ASSERT_EQ(sides.size(), 3U);
+  EXPECT_NEAR(sides[0], std::cos(eighth) / std::sin(third), 1e-12);
+  EXPECT_NEAR(sides[1], std::cos(third) / std::sin(eighth), 1e-12);
+  EXPECT_NEAR(sides[2], 1 / (std::tan(third) * std::tan(eighth)), 1e-12);
+}
+
+/// Wherever the centre is between the mirrors; elsewhere they do not surround it.
+TEST(BoundInADomain, OfReflectionsDoesNotDependOnTheCentre) {
+  BoundDocument document = bolza_from_domain();
+  const double right_angle = 1 / (std::tan(std::numbers::pi / 3) * std::tan(std::numbers::pi / 8));
+  int inside = 0;
+  int outside = 0;
+  for (int x = -14; x <= 6; x += 2) {
+    for (int y = -14; y <= 6; y += 2) {
+      document.symmetry->centre = {x / 100.0, y / 100.0};
+      const std::string verdict = outcome(document);
+      if (verdict == "REFUTED: domain") {
+        ++outside;
+        continue;
+      }
+      double longest = 1;
+      for (const auto& [centre, p, q] : domain_of(document)) longest = std::max(longest, cosh_distance(p, q));
+      EXPECT_NEAR(longest, right_angle, 1e-12) << x << " " << y << ": " << verdict;
+      ++inside;
+    }
+  }
+  EXPECT_GT(inside, 3);
+  EXPECT_GT(outside, 20);
+}
+
+/// The domains of a group of order n have the area 4π(g − 1)/n: they meet at their sides alone.
+TEST(BoundInADomain, HasTheAreaOfTheSurfaceDividedByTheOrder) {
+  for (const BoundDocument& document : files_with_domain()) {
+    double area = 0;
+    for (const auto& [centre, p, q] : domain_of(document)) {
+      const auto half = [](const BallVector& u, const BallVector& v) { return (cosh_distance(u, v) - 1) / 2; };
+      const double a = half(p, q);
+      const double b = half(q, centre);
+      const double c = half(centre, p);
+      const double k = 4 * a * b - std::pow(a + b - c, 2);
+      area += 2 * std::atan(std::sqrt(k + 4 * a * b * c) / (2 + a + b + c));
+    }
+    const double order = document == bolza_from_domain() ? 96 : 2;
+    EXPECT_NEAR(area, 4 * std::numbers::pi / order, 1e-9);
+  }
+}
+
+TEST(BoundInADomain, CellsAreThoseOfTheirOwnTriangles) {
+  for (const BoundDocument& good : files_with_domain()) {
+    for (std::size_t t = 0; t < good.cells.size(); ++t) {
+      BoundDocument document = good;
+      document.cells[t] = {good.claim == Claim::radius ? 3U : 4U};
+      if (document.cells[t] == good.cells[t]) continue;
+      const Certificate certificate = checked(document);
+      if (certificate.verdict == Verdict::verified) continue;
+      EXPECT_EQ(outcome(document), "REFUTED: cells");
+      EXPECT_THAT(certificate.message, HasSubstr("of triangle " + std::to_string(t) + " is not bounded"));
+    }
+  }
+}
+
+TEST(BoundInADomain, RowsThatAreNoIsometriesAreRefuted) {
+  for (const BoundDocument& good : files_with_domain()) {
+    for (std::size_t i = 0; i < good.symmetry->isometries.size(); ++i) {
+      BoundDocument document = good;
+      bool& preserves = document.symmetry->isometries[i].preserves_orientation;
+      preserves = !preserves;
+      EXPECT_EQ(outcome(document), "REFUTED: isometries") << i;
+      preserves = !preserves;
+      auto& images = document.symmetry->isometries[i].images;
+      for (std::size_t k = 2; k < images.size(); ++k) {
+        std::swap(images[k], images[1]);
+        const bool is_changed = images[k] != images[1];
+        EXPECT_EQ(outcome(document), is_changed ? "REFUTED: isometries" : "VERIFIED") << i << " " << k;
+        std::swap(images[k], images[1]);
+      }
+    }
+    BoundDocument document = good;
+    document.symmetry->pair[1] = document.symmetry->pair[0];
+    EXPECT_EQ(outcome(document), "REFUTED: isometries");
+  }
+}
+
+TEST(BoundInADomain, SidesThatDoNotSurroundTheCentreAreRefuted) {
+  for (const BoundDocument& good : files_with_domain()) {
+    BoundDocument document = good;
+    std::reverse(document.symmetry->isometries.begin(), document.symmetry->isometries.end());
+    EXPECT_EQ(outcome(document), "REFUTED: domain");
+    if (good.symmetry->isometries.size() < 6) continue;
+    document = good;
+    document.symmetry->isometries.resize(3);
+    document.cells.resize(3);
+    EXPECT_EQ(outcome(document), "REFUTED: domain");
+  }
+  // Half of a turn and more: the sides of one half alone, whose first and last lines do not meet there.
+  BoundDocument document = octagon_from_domain();
+  auto& rows = document.symmetry->isometries;
+  const std::size_t half = rows.size() / 2;
+  rows.resize(half);
+  document.cells.resize(half);
+  EXPECT_EQ(outcome(document), "REFUTED: domain");
+}
+
+/// A line that is there twice meets itself nowhere in particular.
+TEST(BoundInADomain, EqualSidesAreNotDecided) {
+  BoundDocument document = bolza_from_domain();
+  document.symmetry->isometries.push_back(document.symmetry->isometries.back());
+  document.cells.push_back(document.cells.back());
+  EXPECT_EQ(outcome(document), "UNDECIDED: domain");
+}
+
+TEST(BoundInADomain, TooLittleWorkIsUndecided) {
+  for (const BoundDocument& document : files_with_domain()) {
+    const std::uint64_t all = checked(document).counts.work;
+    EXPECT_EQ(check(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
+    for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
+      EXPECT_EQ(check(document, {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
+    }
+  }
+}
+
+TEST(BoundInADomain, EveryDefectIsMalformed) {
+  const auto complaint = [](const std::function<void(BoundDocument&)>& change) {
+    BoundDocument document = bolza_from_domain();
+    change(document);
+    return structure_complaint(document);
+  };
+  using Document = BoundDocument;
+  EXPECT_THAT(complaint([](Document& d) { d.base = {1}; }), HasSubstr("base: expected none beside a symmetry"));
+  EXPECT_THAT(complaint([](Document& d) {
+                d.symmetry->centre = {0.6, 0.8};
+              }),
+              HasSubstr("symmetry: centre: not in the disk"));
+  EXPECT_THAT(complaint([](Document& d) { d.symmetry->isometries.pop_back(); }),
+              HasSubstr("symmetry: isometries: 2 rows, expected at least 3"));
+  EXPECT_THAT(complaint([](Document& d) { d.symmetry->isometries[1].images.pop_back(); }),
+              HasSubstr("symmetry: isometries[1]: 5 words, expected 6"));
+  EXPECT_THAT(complaint([](Document& d) { d.symmetry->pair.pop_back(); }), HasSubstr("symmetry: pair: 1 words"));
+  EXPECT_THAT(complaint([](Document& d) { d.symmetry->paths.clear(); }), HasSubstr("symmetry: paths: 0 words"));
+  EXPECT_THAT(complaint([](Document& d) { d.symmetry->pair[0] = {99}; }), HasSubstr("symmetry: pair: word 0"));
+  EXPECT_THAT(complaint([](Document& d) { d.cells.pop_back(); }),
+              HasSubstr("cells: 2 elements, expected one for each of the 3 triangles"));
 }
 
 TEST(Bound, ANetThatIsNotValidIsRefutedByItsOwnRule) {
@@ -975,7 +1173,9 @@ TEST(Bound, InfiniteOrUnorderedBoundsAreMalformed) {
 }
 
 TEST(BoundFile, WhatIsWrittenIsRead) {
-  for (const BoundDocument& document : all_files()) {
+  std::vector<BoundDocument> documents = all_files();
+  for (BoundDocument& document : files_with_domain()) documents.push_back(std::move(document));
+  for (const BoundDocument& document : documents) {
     EXPECT_EQ(parse_file<BoundDocument>(written(document), "test"), document);
     EXPECT_EQ(std::get<BoundDocument>(parse_file<ClaimDocument>(written(document), "test")), document);
   }

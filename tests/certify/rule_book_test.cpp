@@ -309,6 +309,10 @@ std::vector<Document> one_for_each_claim() {
     for (std::size_t i = 0; i < documents.size(); ++i) {
       documents[i].claim = static_cast<typename Document::Claim>(i);
     }
+    if constexpr (requires(Document document) { document.symmetry; }) {
+      documents.insert(documents.end(), documents.begin(), documents.end());
+      for (std::size_t i = 0; i < documents.size() / 2; ++i) documents[i].symmetry.emplace();
+    }
     return documents;
   } else {
     return std::vector<Document>(1);
@@ -343,14 +347,16 @@ TEST(Rules, OfEachClaimAreThoseOfTheDocument) {
 
 TEST(Rules, OfBoundsAreThoseOfTheDocument) {
   const std::vector<std::string> named = rules_named_in("## Bound file");
-  ASSERT_THAT(named, ElementsAre("lower", "upper", "triangulations", "cells"));
+  ASSERT_THAT(named, ElementsAre("lower", "upper", "triangulations", "isometries", "domain", "cells"));
   BoundDocument document;
   for (const auto claim : {BoundDocument::Claim::diameter, BoundDocument::Claim::embedded_disk}) {
     document.claim = claim;
-    EXPECT_EQ(own_rule_names(document), (std::vector{named[0], named[2], named[3]}));
+    EXPECT_EQ(own_rule_names(document), (std::vector{named[0], named[2], named[5]}));
   }
   document.claim = BoundDocument::Claim::radius;
-  EXPECT_EQ(own_rule_names(document), (std::vector{named[1], named[2], named[3]}));
+  EXPECT_EQ(own_rule_names(document), (std::vector{named[1], named[2], named[5]}));
+  document.symmetry.emplace();
+  EXPECT_EQ(own_rule_names(document), (std::vector{named[1], named[2], named[3], named[4], named[5]}));
 }
 
 }  // namespace

@@ -540,12 +540,13 @@ TEST(SlowSecondCheckerOfBounds, ABaseIsWhatItsStepsMakeOfTheNet) {
   }
 }
 
-/// Both checkers have the triangles of a base at the same places: the least distance from the value to its bound with
-/// which the worst cell is bounded is the same.
+/// Both checkers have the triangles of a base, or of a domain, at the same places: the least distance from the value to
+/// its bound with which the worst cell is bounded is the same.
 TEST(SlowSecondCheckerOfBounds, ABasesTrianglesAreWhereTheFirstCheckerHasThem) {
   // The last two also of elements that are products of many, on tiles {7, 3} and with a cuff of 10⁻³.
   for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base",
-                                 "klein-diameter", "thin-embedded-disk"}) {
+                                 "klein-diameter", "thin-embedded-disk", "octagon-diameter-domain",
+                                 "octagon-radius-domain", "octagon-embedded-disk-domain", "bolza-radius-domain"}) {
     const BoundDocument good = bound(name);
     const auto with = [&](double distance) {
       BoundDocument document = good;
@@ -568,10 +569,47 @@ TEST(SlowSecondCheckerOfBounds, ABasesTrianglesAreWhereTheFirstCheckerHasThem) {
   }
 }
 
+/// Other isometries, and another centre, make other triangles, the same ones for both checkers.
+TEST(SlowSecondCheckerOfBounds, ADomainIsThatOfItsCentreAndIsometries) {
+  for (const std::string name : {"octagon-diameter-domain", "octagon-embedded-disk-domain", "bolza-radius-domain"}) {
+    const BoundDocument good = bound(name);
+    Comparison comparison;
+    int refuted_domains = 0;
+    const auto expect_same = [&](const BoundDocument& document, const std::string& what) {
+      refuted_domains += outcome(document) == "REFUTED: domain" ? 1 : 0;
+      comparison.expect_same(document, name + ", " + what);
+    };
+    for (const double x : {-0.5, -0.1, 0.0, 0.1, 0.3}) {
+      for (const double y : {-0.4, 0.05, 0.2}) {
+        BoundDocument document = good;
+        document.symmetry->centre = {x, y};
+        expect_same(document, "centre " + std::to_string(x) + ", " + std::to_string(y));
+        document.symmetry->centre = {good.symmetry->centre[0] + x / 100, good.symmetry->centre[1] + y / 100};
+        expect_same(document, "centre moved by a hundredth of that");
+      }
+    }
+    for (std::size_t i = 0; i < good.symmetry->isometries.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        BoundDocument document = good;
+        std::swap(document.symmetry->isometries[i], document.symmetry->isometries[k]);
+        expect_same(document, "sides " + std::to_string(i) + " and " + std::to_string(k));
+      }
+      if (good.symmetry->isometries.size() == 3) continue;
+      BoundDocument document = good;
+      document.symmetry->isometries.erase(document.symmetry->isometries.begin() + static_cast<std::ptrdiff_t>(i));
+      document.cells.erase(document.cells.begin() + static_cast<std::ptrdiff_t>(i));
+      expect_same(document, "without side " + std::to_string(i));
+    }
+    EXPECT_GT(refuted_domains, 5) << name;
+    EXPECT_GT(comparison.refuted + comparison.verified, 5) << name;
+  }
+}
+
 /// The best value for which the cells are bounded is the same number for both checkers, so where few digits do not
 /// tell, more are asked.
 TEST(SlowSecondCheckerOfBounds, TheBestValueIsTheSameToTheLastDigit) {
-  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base"}) {
+  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base",
+                                 "octagon-diameter-domain", "bolza-radius-domain"}) {
     BoundDocument document = bound(name);
     const bool is_radius = document.claim == BoundDocument::Claim::radius;
     double& end = is_radius ? document.value.lower : document.value.upper;

@@ -121,15 +121,14 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) {
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FilesOfEveryClaim,
-                         testing::Values("geodesics/systole-long-conjugate", "forgeries/spectrum",
-                                         "forgeries/spectrum-of-equal-lengths", "geodesics/one-curve-of-2-arsinh-1",
-                                         "geodesics/three-cuffs", "distances/four-equal",
-                                         "bounds/octagon-diameter-base", "bounds/octagon-radius",
-                                         "bounds/octagon-embedded-disk", "isometries/octagon-5",
-                                         "eigenvalues/octagon-5-of-one-vertex", "pants/octagon-5", "curves/one-fills",
-                                         "comparisons/octagons", "comparisons/mirror-image"),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(
+    All, FilesOfEveryClaim,
+    testing::Values("geodesics/systole-long-conjugate", "forgeries/spectrum", "forgeries/spectrum-of-equal-lengths",
+                    "geodesics/one-curve-of-2-arsinh-1", "geodesics/three-cuffs", "distances/four-equal",
+                    "bounds/octagon-diameter-base", "bounds/octagon-radius", "bounds/octagon-embedded-disk",
+                    "bounds/bolza-radius-domain", "isometries/octagon-5", "eigenvalues/octagon-5-of-one-vertex",
+                    "pants/octagon-5", "curves/one-fills", "comparisons/octagons", "comparisons/mirror-image"),
+    name_of);
 
 }  // namespace
 }  // namespace epsnet::exact::structure_test

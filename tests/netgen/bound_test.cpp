@@ -233,6 +233,22 @@ TEST(Bound, IsThatOfTheSurfaceWhateverItsTiles) {
   }
 }
 
+/// Where the surface has isometries, one domain of them is enough.
+TEST(Bound, OfASurfaceWithIsometriesIsOfADomain) {
+  const auto sides = [](const BoundDocument& document) {
+    EXPECT_EQ(verdict(document), "VERIFIED");
+    return document.symmetry ? document.symmetry->isometries.size() : 0;
+  };
+  // The triangles of mirrors of regular polygons, and of Klein's quartic; every surface of genus 2 has an involution.
+  for (const auto make : {&unproved::diameter, &unproved::radius, &unproved::largest_embedded_disk}) {
+    for (const std::uint32_t genus : {2u, 3u, 4u}) EXPECT_EQ(sides(make(Surface::regular(genus), {.width = 0.1})), 3U);
+    EXPECT_EQ(sides(make(named_surface("klein"), {.width = 0.1})), 3U);
+    EXPECT_GE(sides(make(test::gallery()[0].surface, {.width = 0.1})), 3U);
+    EXPECT_EQ(sides(make(fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, 1), 1)), {.width = 0.5})),
+              0U);
+  }
+}
+
 TEST(Bound, IsVerifiedForThinSurfacesAndForGenus3To5) {
   for (const std::size_t i : {3u, 4u, 5u, 6u, 7u, 8u}) {
     const test::NamedSurface& named = test::gallery()[i];

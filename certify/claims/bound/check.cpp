@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -9,8 +10,10 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
+#include "certify/claims/bound/domain.h"
 #include "certify/claims/bound/fields.h"
 #include "certify/claims/bound/triangles.h"
+#include "certify/claims/isometries/conjugation.h"
 #include "certify/claims/net/claim.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/labels.h"
@@ -50,9 +53,25 @@ Problem base_problem(const BoundDocument& document, std::uint64_t& triangles) {
   return std::nullopt;
 }
 
+/// Counts the triangles around the centre.
+Problem symmetry_problem(const BoundDocument& document, std::uint64_t& triangles) {
+  const BoundDocument::Symmetry& symmetry = *document.symmetry;
+  triangles = symmetry.isometries.size();
+  if (!document.base.empty()) return "base: expected none beside a symmetry";
+  const auto [x, y] = symmetry.centre;
+  if (!inside_disk(x, y)) return "symmetry: centre: not in the disk";
+  if (triangles < 3) return "symmetry: isometries: " + std::to_string(triangles) + " rows, expected at least 3";
+  if (const auto problem = isometries_problem(SurfaceSides(document.net.surface), symmetry)) {
+    return "symmetry: " + *problem;
+  }
+  return std::nullopt;
+}
+
 Problem cells_problem(const BoundDocument& document) {
   std::uint64_t in_base = 0;
-  if (auto problem = base_problem(document, in_base)) return problem;
+  if (auto problem = document.symmetry ? symmetry_problem(document, in_base) : base_problem(document, in_base)) {
+    return problem;
+  }
   if (document.cells.size() != in_base) {
     return "cells: " + std::to_string(document.cells.size()) + " elements, expected one for each of the " +
            std::to_string(in_base) + " triangles";
@@ -87,6 +106,7 @@ Problem structure_problem(const BoundDocument& document) {
 
 std::uint64_t least_bytes(const BoundDocument& document) {
   std::uint64_t bytes = least_bytes(document.net) + least_bytes(document.base);
+  if (document.symmetry) bytes += least_bytes(static_cast<const IsometryRows&>(*document.symmetry));
   for (const BoundDocument::Triangulation& row : document.triangulations) bytes += 4 + least_bytes(row.flips);
   for (const std::vector<std::uint32_t>& row : document.cells) bytes += 2 + least_bytes(row);
   return bytes;
@@ -94,8 +114,11 @@ std::uint64_t least_bytes(const BoundDocument& document) {
 
 namespace {
 
+constexpr const char* kIsometries = "isometries";
+constexpr const char* kDomain = "domain";
+
 /// Bits that cells are asked with first.
-constexpr slong kFirstPrecisionForCells = 128;
+constexpr slong kFirstPrecisionForCells = 256;
 /// Operations of balls for an edge at a point, a triangle at a point, and a cut.
 constexpr std::uint64_t kEdgeOperations = 6;
 constexpr std::uint64_t kTriangleOperations = 16;
@@ -162,7 +185,17 @@ class BoundCheck {
 
   void ask() {
     run_.report(at_vertex());
-    if (run_.report(triangulations()) == Verdict::verified) run_.report(cells());
+    if (run_.report(triangulations()) != Verdict::verified) return;
+    if (document_.symmetry) {
+      run_.progress(kIsometries);
+      const SurfaceSides sides(document_.net.surface);
+      if (run_.report(isometries_report(parts_.crossings, sides, *document_.symmetry, budget_)) != Verdict::verified) {
+        return;
+      }
+      domain_.emplace(document_.net, *document_.symmetry, parts_);
+      if (run_.report(domain()) != Verdict::verified) return;
+    }
+    run_.report(cells());
   }
 
  private:
@@ -194,7 +227,7 @@ class BoundCheck {
   [[nodiscard]] Tri is_less_at_vertex(double bound) const {
     const NetDocument& net = document_.net;
     spend(kVertexOperations, net.triangles.size());
-    const LabelTable labels = all_labels();
+    const LabelTable labels = all_labels(precision_);
     const Ball squared = sqr(sinh(Ball::exactly(bound)));
     const bool disk = document_.claim == Claim::embedded_disk;
     Tri less = disk ? Tri::no : Tri::yes;
@@ -288,6 +321,28 @@ class BoundCheck {
     return static_cast<std::uint32_t>(edges_.size() + products_.size());
   }
 
+  /// The triangles around the centre.
+  [[nodiscard]] Domain::Placed placed_domain() const {
+    return value_of(domain_, "there is no domain").place(precision_, most_bits(), threads_);
+  }
+
+  RuleReport domain() {
+    Domain::Placed placed;
+    with_rising_precision(options_.max_precision, [&](slong precision) {
+      begin(precision);
+      placed = placed_domain();
+      return placed.surrounds != Tri::unknown;
+    });
+    const std::string rows = "isometries " + std::to_string(placed.row) + " and on";
+    if (placed.surrounds == Tri::yes) {
+      return {kDomain, Verdict::verified, std::to_string(placed.triangles.size()) + " sides around the centre"};
+    }
+    if (placed.surrounds == Tri::no) {
+      return {kDomain, Verdict::refuted, "the sides of " + rows + " do not follow each other around the centre"};
+    }
+    return {kDomain, Verdict::undecided, "the sides of " + rows + " are not told with " + bits()};
+  }
+
   RuleReport cells() {
     RuleReport report;
     with_rising_precision(
@@ -312,17 +367,20 @@ class BoundCheck {
     budget_.spend(operations * ball_work(static_cast<std::uint64_t>(precision_)), times);
   }
 
-  [[nodiscard]] LabelTable all_labels() const {
+  [[nodiscard]] LabelTable all_labels(slong precision) const {
     std::vector<std::uint32_t> numbers(document_.net.labels.size());
     std::iota(numbers.begin(), numbers.end(), 1U);
-    const slong cap = std::min<slong>(4 * precision_, 2 * options_.max_precision);
-    return {numbers, evaluator_.evaluate(numbers, precision_, cap, threads_), numbers.size()};
+    return {numbers, evaluator_.evaluate(numbers, precision, most_bits(), threads_), numbers.size()};
   }
+
+  /// The most that words are worked out with.
+  [[nodiscard]] slong most_bits() const { return std::min<slong>(4 * precision_, 2 * options_.max_precision); }
 
   /// All elements of all triangulations, at the vertex' chart. Whether that is worth to go on with: with more bits an
   /// element that comes again is recognized, and what follows takes less time.
   [[nodiscard]] bool evaluate() {
-    const LabelTable labels = all_labels();
+    const slong fine = Elements::path_precision(precision_);
+    const LabelTable labels = all_labels(fine);
     const auto label = [&](std::uint32_t dart) {
       const std::uint32_t number = corner_label(document_.net, dart);
       return number == 0 ? identity_isometry() : labels[number];
@@ -332,7 +390,7 @@ class BoundCheck {
     const NetDocument::Vertex& vertex = document_.net.vertices[0];
     const BallVector place = unit_vector(identity_isometry(), vertex.x, vertex.y, precision_);
     std::vector<BallIsometry> edges;
-    for (const std::uint32_t d : edges_) edges.push_back(compose(inverse(label(d)), label(next_dart(d)), precision_));
+    for (const std::uint32_t d : edges_) edges.push_back(compose(inverse(label(d)), label(next_dart(d)), fine));
     elements_.emplace(place, least_displacement(edges, place, precision_), edges, precision_, budget_);
     ids_.clear();
     for (BallIsometry& g : edges) ids_.push_back(elements_->add(std::move(g)));
@@ -343,38 +401,55 @@ class BoundCheck {
       if (!elements_->all_told() && precision_ < options_.max_precision) return false;
     }
     most_ = sqr(sinh(Ball::exactly(document_.value.upper)));
-    triangles_ = placed_base(place);
-    return true;
+    if (!document_.symmetry) {
+      triangles_ = placed_base(place);
+      return true;
+    }
+    const Domain::Placed placed = placed_domain();
+    triangles_.clear();
+    for (const auto& corners : placed.triangles) triangles_.push_back(cell_of(corners));
+    return placed.surrounds == Tri::yes;
+  }
+
+  [[nodiscard]] Cell cell_of(std::array<BallVector, 3> corners) const {
+    Cell cell{std::move(corners), {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      cell.cosh[i] = -lorentz_product(cell.corner[i], cell.corner[(i + 1) % 3], precision_);
+    }
+    return cell;
   }
 
   /// The triangles of the base, in the chart of the net's vertex.
   [[nodiscard]] std::vector<Cell> placed_base(const BallVector& vertex) const {
+    // From midpoint to midpoint bits are lost, where elements lead far and back.
+    const slong fine = Elements::path_precision(precision_);
+    const Precision scope(fine);
+    std::map<Elements::Id, BallMatrix> matrices;
     const auto moved = [&](std::uint32_t number, const BallVector& p) {
-      return apply(lorentz_matrix(elements_->isometry(id_of(number)), precision_), p, precision_);
+      const auto [found, is_new] = matrices.try_emplace(id_of(number));
+      if (is_new) found->second = lorentz_matrix(elements_->along_edges(id_of(number)), fine);
+      return apply(found->second, p, fine);
     };
     spend(kPlaceOperations, base_.midpoints.size() + base_.start.size());
     std::vector<BallVector> points{vertex};
     for (const Base::Midpoint& middle : base_.midpoints) {
       const BallVector& p = points[middle.from];
       const BallVector q = moved(middle.element, points[middle.to]);
-      points.push_back(midpoint(p, q, sqrt(half(1 - lorentz_product(p, q, precision_)))));
+      points.push_back(midpoint(p, q, sqrt(half(1 - lorentz_product(p, q, fine)))));
     }
     std::vector<Cell> result;
     for (std::uint32_t d = 0; d < base_.start.size(); d += 3) {
       const auto corner = [&](std::uint32_t i) -> const BallVector& { return points[base_.start[d + i]]; };
       const BallVector second = moved(base_.map.element[d], corner(1));
       const BallVector third = moved(base_.map.element[d + 2] ^ 1U, corner(2));
-      Cell cell{{corner(0), second, third}, {}};
-      for (std::size_t i = 0; i < 3; ++i) {
-        cell.cosh[i] = -lorentz_product(cell.corner[i], cell.corner[(i + 1) % 3], precision_);
-      }
-      result.push_back(std::move(cell));
+      result.push_back(cell_of({corner(0), second, third}));
     }
     return result;
   }
 
   RuleReport pass() {
-    if (!evaluate()) return {"cells", Verdict::undecided, "the elements of triangulations are not told with " + bits()};
+    if (!evaluate())
+      return {"cells", Verdict::undecided, "the elements of triangulations or the domain are not told with " + bits()};
     struct Outcome {
       Tri within = Tri::yes;
       std::size_t cell = 0;  ///< The first that is not, else the first that is open.
@@ -577,7 +652,8 @@ class BoundCheck {
   std::vector<Product> products_;     ///< Number edges_.size() + k is product k.
   std::optional<Elements> elements_;
   std::vector<Elements::Id> ids_;  ///< By number.
-  std::vector<Cell> triangles_;    ///< Of the base.
+  std::optional<Domain> domain_;   ///< If there is a symmetry.
+  std::vector<Cell> triangles_;    ///< Of the base, or the domain.
   Ball most_;                      ///< sinh² of the upper bound.
   slong precision_ = kFirstPrecision;
 };
@@ -593,7 +669,10 @@ std::string text_of(const BoundDocument& document) {
 }  // namespace
 
 RuleNames own_rules(const BoundDocument& document) {
-  return {document.claim == BoundDocument::Claim::radius ? "upper" : "lower", "triangulations", "cells"};
+  RuleNames rules{document.claim == BoundDocument::Claim::radius ? "upper" : "lower", "triangulations"};
+  if (document.symmetry) rules.insert(rules.end(), {kIsometries, kDomain});
+  rules.push_back("cells");
+  return rules;
 }
 
 Claim claim_of(const BoundDocument& document) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "certify/base/interval.h"
+#include "certify/claims/isometries/document.h"
 #include "certify/net/document.h"
 
 /// The contents of a bound file as plain data, member by member as docs/format.md defines them.
@@ -27,6 +30,13 @@ struct BoundDocument {
     bool operator==(const Triangulation&) const = default;
   };
 
+  /// Isometries of the surface, counterclockwise around a centre. The domain of the points that are not farther from
+  /// the centre than from its images has a point of every orbit; so the function is bounded there alone.
+  struct Symmetry : IsometryRows {
+    std::array<double, 2> centre{};  ///< In the chart of the net's vertex, inside of the disk.
+    bool operator==(const Symmetry&) const = default;
+  };
+
   Claim claim = Claim::diameter;
   NetDocument net;   ///< With one vertex, a point where the function is at least the lower bound; for a radius, at most
                      ///< the upper one.
@@ -35,9 +45,12 @@ struct BoundDocument {
   /// How the triangulation that is cut into cells is made from that of the net, step by step: 2d flips dart d, 2d + 1
   /// splits it at its midpoint.
   std::vector<std::uint32_t> base;
-  /// By triangle of the base: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3 + k is a cell
-  /// where the bound is that of triangulation k; for a radius, that of triangulation k' at the midpoint of side i, if k
-  /// is i + 3k'; for an embedded disk, that of dart d of triangulation k', if k is d + 3nk' with n triangles.
+  /// If there is one, cells are cut from the triangles around its centre, one for each isometry, and `base` is empty.
+  std::optional<Symmetry> symmetry;
+  /// By triangle of the base, or of the domain: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3
+  /// + k is a cell where the bound is that of triangulation k; for a radius, that of triangulation k' at the midpoint
+  /// of side i, if k is i + 3k'; for an embedded disk, that of dart d of triangulation k', if k is d + 3nk' with n
+  /// triangles.
   std::vector<std::vector<std::uint32_t>> cells;
   bool operator==(const BoundDocument&) const = default;
 };

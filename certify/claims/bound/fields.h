@@ -9,6 +9,7 @@
 #include "certify/base/fields.h"
 #include "certify/base/text.h"
 #include "certify/claims/bound/document.h"
+#include "certify/claims/isometries/fields.h"
 #include "certify/verdict/report.h"
 
 namespace epsnet::certify {
@@ -25,6 +26,14 @@ struct Fields<BoundDocument::Triangulation> {
 };
 
 template <>
+struct Fields<BoundDocument::Symmetry> {
+  static auto members(auto& symmetry) {
+    return std::tuple(member("centre", symmetry.centre), member("isometries", symmetry.isometries),
+                      member("paths", symmetry.paths), member("pair", symmetry.pair));
+  }
+};
+
+template <>
 struct Fields<BoundDocument> {
   static constexpr ClaimKind kKind{"bound", "epsnet-cover", "bounds",
                                    "A bound file claims two bounds for the diameter, the radius, or the radius of\n"
@@ -37,7 +46,7 @@ struct Fields<BoundDocument> {
         format_and_version(kKind.format),
         std::tuple(member("claim", document.claim), member("net", document.net), member("value", document.value),
                    member("triangulations", document.triangulations), member("base", List{document.base}).optional(),
-                   member("cells", List{document.cells})));
+                   member("symmetry", document.symmetry).optional(), member("cells", List{document.cells})));
   }
 };
 
@@ -47,8 +56,9 @@ struct Fields<BoundDocument> {
 struct Claim;
 
 /// What is wrong with the structure of a bound file, with its place; nullopt if it can be evaluated: the net has one
-/// vertex and no collars, the value is 0 < lo ≤ hi, triangulations come after those they are made from, and the cells
-/// of every triangle are one whole subdivision. O(size).
+/// vertex and no collars, the value is 0 < lo ≤ hi, triangulations come after those they are made from, a symmetry has
+/// a centre in the disk, isometries, at least three, whose words lead where they should, and no base beside it, and the
+/// cells of every triangle are one whole subdivision. O(size).
 [[nodiscard]] Problem structure_problem(const BoundDocument& document);
 
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits").
@@ -59,6 +69,9 @@ struct Claim;
 /// * `lower`: at the net's vertex the function is at least the lower bound;
 /// * `upper`, for a radius instead of `lower`: at the net's vertex the eccentricity is at most the upper bound;
 /// * `triangulations`: every flip is of an edge between two different triangles;
+/// * `isometries`, with a symmetry: its rows are isometries;
+/// * `domain`, with a symmetry: there are points as far from the centre as from its images under isometries i and i +
+///   1, for each i, and they lie counterclockwise around it;
 /// * `cells`: at the three corners of each cell the convex function that bounds it is at most the upper bound;
 /// * `cells`, for a radius: at one point of each cell the eccentricity exceeds the lower bound by so much that it is at
 ///   least the lower bound in the whole cell.

@@ -13,8 +13,11 @@ namespace epsnet::certify {
 
 namespace {
 
-/// Operations of balls for one edge of a step of a path.
-constexpr std::uint64_t kOperationsOfAStep = 4;
+/// The work of looking at an edge for a step of a path; operations of balls for one that may be the next, and for the
+/// step.
+constexpr std::uint64_t kLookWork = 10;
+constexpr std::uint64_t kNearOperations = 4;
+constexpr std::uint64_t kStepOperations = 80;
 
 std::array<double, 3> nearly(const BallVector& p) {
   return {fast_interval(p[0]).lower, fast_interval(p[1]).lower, fast_interval(p[2]).lower};
@@ -68,9 +71,10 @@ Elements::Elements(BallVector point, Ball shortest_loop, const std::vector<BallI
       shortest_loop_(std::move(shortest_loop)),
       precision_(precision),
       budget_(std::move(budget)) {
+  const slong fine = path_precision(precision);
   for (const BallIsometry& edge : edges) {
     for (const BallIsometry& step : {edge, inverse(edge)}) {
-      const BallVector end = apply(lorentz_matrix(step, precision), point_, precision);
+      const BallVector end = apply(lorentz_matrix(step, fine), point_, fine);
       steps_.push_back({step, end, nearly(end)});
     }
   }
@@ -85,24 +89,29 @@ BallIsometry Elements::enclosed_along_edges(BallIsometry g) const {
   const auto away = [&](const BallVector& p, const BallVector& q) {
     return fast_interval(-lorentz_product(p, q, precision_)).upper;
   };
-  BallVector goal = apply(lorentz_matrix(g, precision_), point_, precision_);
+  const slong fine = path_precision(precision_);
+  const BallVector image = apply(lorentz_matrix(g, precision_), point_, precision_);
+  BallVector goal = image;  // As seen from the end of the path.
   BallIsometry path = identity_isometry();
   double distance = away(point_, goal);
   constexpr int kMostSteps = 1000;
   for (int i = 0; i < kMostSteps; ++i) {
-    budget_.spend(kOperationsOfAStep * ball_work(static_cast<std::uint64_t>(precision_)), steps_.size() + 1);
+    const std::uint64_t ball = ball_work(static_cast<std::uint64_t>(fine));
+    budget_.spend(kLookWork, steps_.size());
+    budget_.spend(kStepOperations * ball);
     const Step* nearest = nullptr;
     const std::array<double, 3> near_goal = nearly(goal);
     for (const Step& step : steps_) {
       if (is_farther(step.nearly, near_goal, distance)) continue;
+      budget_.spend(kNearOperations * ball);
       const double left = away(step.end, goal);
       if (!(left < distance)) continue;
       distance = left;
       nearest = &step;
     }
     if (nearest == nullptr) break;
-    path = compose(path, nearest->isometry, precision_);
-    goal = apply(lorentz_matrix(inverse(nearest->isometry), precision_), goal, precision_);
+    path = compose(path, nearest->isometry, fine);
+    goal = apply(lorentz_matrix(inverse(path), fine), image, fine);
   }
   choose_sign(path);
   return are_equal(path, g) ? path : g;

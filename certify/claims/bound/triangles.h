@@ -46,15 +46,21 @@ class Elements {
   using Id = std::uint32_t;
 
   /// A point of the surface, and at most sinh²(d/2) of its shortest loop: who moves it less is the identity. The edges
-  /// at it are for paths, one dart of each; without them there are none.
+  /// at it are for paths, one dart of each, better enclosed with path_precision(precision) bits; without them there are
+  /// no paths.
   Elements(BallVector point, Ball shortest_loop, const std::vector<BallIsometry>& edges, slong precision,
            Budget budget = {});
+
+  /// Products of long edges to ends that are near lose bits, and paths are made of few such products.
+  [[nodiscard]] static slong path_precision(slong precision) { return 2 * precision; }
 
   [[nodiscard]] Id add(BallIsometry g);
   /// Whether balls told so far of each element whether it is known.
   [[nodiscard]] bool all_told() const { return all_told_; }
   [[nodiscard]] const Element& element(Id id) const;
   [[nodiscard]] BallIsometry isometry(Id id) const;
+  /// The same, enclosed anew: it has lost few of path_precision bits, unless there are no paths.
+  [[nodiscard]] BallIsometry along_edges(Id id) const { return enclosed_along_edges(isometry(id)); }
 
  private:
   /// A step along an edge, and where it leads from the point.

@@ -45,29 +45,16 @@ Problem structure_problem(const Document& document) {
   if (auto problem = structure_problem(static_cast<const GeodesicsDocument&>(document))) return problem;
   const SurfaceSides sides(document.net.surface);
   if (document.order == 0) return "order: 0, expected at least 1";
-  if (auto problem = paths_problem(sides, document.paths)) return problem;
-  if (const auto problem = loops_problem(sides, document.pair, 2)) return "pair: " + *problem;
-  const std::size_t images = 2 + sides.partner.size() / 2;
-  const auto problem = first_row_problem("isometries", document.isometries, [&](const Document::Isometry& isometry) {
-    return loops_problem(sides, isometry.images, images);
-  });
-  return problem ? problem : cocycle_problem(sides, document);
+  if (auto problem = isometries_problem(sides, document)) return problem;
+  return cocycle_problem(sides, document);
 }
 
 std::uint64_t least_bytes(const Document& document) {
-  std::uint64_t bytes = least_bytes(static_cast<const GeodesicsDocument&>(document)) + least_bytes(document.cocycle);
-  for (const auto* words : {&document.paths, &document.pair}) {
-    for (const Document::Word& word : *words) bytes += 3 + least_bytes(word);
-  }
-  for (const Document::Isometry& isometry : document.isometries) {
-    for (const Document::Word& word : isometry.images) bytes += 3 + least_bytes(word);
-  }
-  return bytes;
+  return least_bytes(static_cast<const GeodesicsDocument&>(document)) +
+         least_bytes(static_cast<const IsometryRows&>(document)) + least_bytes(document.cocycle);
 }
 
 namespace {
-
-using Word = IsometriesDocument::Word;
 
 constexpr const char* kIsometries = "isometries";
 constexpr const char* kLeast = "least";
@@ -92,7 +79,7 @@ class IsometriesCheck {
   void ask(Verification& run) {
     try {
       run.progress(kIsometries);
-      check_isometries();
+      rules_.report(isometries_report(parts_.crossings, sides_, document_, budget_));
       if (rules_.verdict(kIsometries) == Verdict::verified) check_least();
       if (rules_.verdict(kIsometries) == Verdict::verified && rules_.verdict(kLeast) != Verdict::refuted) {
         run.progress(kMost);
@@ -113,34 +100,6 @@ class IsometriesCheck {
 
  private:
   void report(const char* rule, Verdict verdict, std::string text) { rules_.report({rule, verdict, std::move(text)}); }
-
-  // Rule isometries.
-
-  void check_isometries() {
-    const auto sign = crossing_sign(parts_.crossings, document_.pair[0], document_.pair[1], budget_);
-    if (sign == 0) return report(kIsometries, Verdict::refuted, "the axes of the pair do not cross");
-    std::vector<Word> generators = document_.pair;
-    for (Word& word : generator_words(sides_, document_.paths, budget_)) generators.push_back(std::move(word));
-    for (std::size_t i = 0; sign && i < document_.isometries.size(); ++i) {
-      const auto& [preserves_orientation, images] = document_.isometries[i];
-      std::vector<ElementPair> pairs;
-      for (std::size_t k = 0; k < images.size(); ++k) pairs.push_back({generators[k], images[k]});
-      const auto conjugate = are_conjugate(parts_.crossings, pairs, budget_);
-      const auto image_sign = crossing_sign(parts_.crossings, images[0], images[1], budget_);
-      const std::string name = "isometry " + std::to_string(i);
-      if (!conjugate || !image_sign) {
-        return report(kIsometries, Verdict::undecided, name + ": its numbers are too large to be compared exactly");
-      }
-      if (!*conjugate) return report(kIsometries, Verdict::refuted, name + " is none: traces differ");
-      if ((*image_sign == *sign) != preserves_orientation) {
-        return report(kIsometries, Verdict::refuted,
-                      name + (preserves_orientation ? " reverses the orientation" : " preserves the orientation"));
-      }
-    }
-    if (!sign) return report(kIsometries, Verdict::undecided, "the numbers of the pair are too large");
-    report(kIsometries, Verdict::verified,
-           counted(document_.isometries.size(), "isometry", "isometries") + ", exactly");
-  }
 
   // Rule least.
 

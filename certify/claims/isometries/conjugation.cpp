@@ -229,6 +229,53 @@ using Values = std::vector<std::uint32_t>;
 
 }  // namespace
 
+Problem isometries_problem(const SurfaceSides& sides, const IsometryRows& rows) {
+  if (auto problem = paths_problem(sides, rows.paths)) return problem;
+  if (const auto problem = loops_problem(sides, rows.pair, 2)) return "pair: " + *problem;
+  const std::size_t images = 2 + sides.partner.size() / 2;
+  return first_row_problem("isometries", rows.isometries, [&](const IsometryRows::Isometry& isometry) {
+    return loops_problem(sides, isometry.images, images);
+  });
+}
+
+std::uint64_t least_bytes(const IsometryRows& rows) {
+  std::uint64_t bytes = 0;
+  const auto add = [&](const std::vector<SideWord>& words) {
+    for (const SideWord& word : words) bytes += 3 + least_bytes(word);
+  };
+  add(rows.paths);
+  add(rows.pair);
+  for (const IsometryRows::Isometry& isometry : rows.isometries) add(isometry.images);
+  return bytes;
+}
+
+RuleReport isometries_report(const Crossings& crossings, const SurfaceSides& sides, const IsometryRows& rows,
+                             const Budget& budget) {
+  constexpr const char* kRule = "isometries";
+  const auto sign = crossing_sign(crossings, rows.pair[0], rows.pair[1], budget);
+  if (!sign) return {kRule, Verdict::undecided, "the numbers of the pair are too large"};
+  if (sign == 0) return {kRule, Verdict::refuted, "the axes of the pair do not cross"};
+  std::vector<SideWord> generators = rows.pair;
+  for (SideWord& word : generator_words(sides, rows.paths, budget)) generators.push_back(std::move(word));
+  for (std::size_t i = 0; i < rows.isometries.size(); ++i) {
+    const auto& [preserves_orientation, images] = rows.isometries[i];
+    std::vector<ElementPair> pairs;
+    for (std::size_t k = 0; k < images.size(); ++k) pairs.push_back({generators[k], images[k]});
+    const auto conjugate = are_conjugate(crossings, pairs, budget);
+    const auto image_sign = crossing_sign(crossings, images[0], images[1], budget);
+    const std::string name = "isometry " + std::to_string(i);
+    if (!conjugate || !image_sign) {
+      return {kRule, Verdict::undecided, name + ": its numbers are too large to be compared exactly"};
+    }
+    if (!*conjugate) return {kRule, Verdict::refuted, name + " is none: traces differ"};
+    if ((*image_sign == *sign) != preserves_orientation) {
+      return {kRule, Verdict::refuted,
+              name + (preserves_orientation ? " reverses the orientation" : " preserves the orientation")};
+    }
+  }
+  return {kRule, Verdict::verified, counted(rows.isometries.size(), "isometry", "isometries") + ", exactly"};
+}
+
 std::vector<std::uint32_t> cocycle_by_side(const SurfaceSides& sides, const std::vector<std::uint32_t>& values) {
   std::vector<std::uint32_t> result(sides.partner.size());
   auto value = values.begin();

@@ -10,6 +10,7 @@
 #include "certify/net/numbering.h"
 #include "certify/net/structure.h"
 #include "certify/numbers/budget.h"
+#include "certify/verdict/report.h"
 
 /// Isometries of the plane that take some elements of groups to others, decided exactly (docs/proof.md, Lemmas 38 and
 /// 39).
@@ -51,6 +52,20 @@ struct ElementPair {
 /// cross. Each is directed like the translation. Nothing, if the numbers are too large; BudgetSpent.
 [[nodiscard]] std::optional<int> crossing_sign(const Crossings& crossings, std::span<const std::uint32_t> word,
                                                std::span<const std::uint32_t> other, const Budget& budget);
+
+// Isometries of a surface.
+
+/// What is wrong with the words of some isometries.
+[[nodiscard]] Problem isometries_problem(const SurfaceSides& sides, const IsometryRows& rows);
+
+/// About the least number of bytes of a file with these.
+[[nodiscard]] std::uint64_t least_bytes(const IsometryRows& rows);
+
+/// The rule `isometries`: whether each row is one, exactly. BudgetSpent, if that is too much work.
+///
+/// Requires: rows without problem, of the surface of the crossings.
+[[nodiscard]] RuleReport isometries_report(const Crossings& crossings, const SurfaceSides& sides,
+                                           const IsometryRows& rows, const Budget& budget);
 
 // How many isometries some generate, by what they do with a function of words (docs/proof.md, Lemma 40).
 

@@ -10,11 +10,11 @@
 /// A document only states what a file says; nothing here is proved.
 namespace epsnet::certify {
 
-/// An isometries file: a spectrum, and generators of the isometry group with the order of the group.
+/// Isometries of a surface, by what they do with its group.
 ///
 /// The generators of the surface's group are g_s = paths[t] · s · paths[t']⁻¹ for the sides s of tiles t, glued to
 /// sides of tiles t'; those with s less than its partner are in the order of s.
-struct IsometriesDocument : GeodesicsDocument {
+struct IsometryRows {
   /// Numbers of sides that a path crosses.
   using Word = std::vector<std::uint32_t>;
 
@@ -26,13 +26,20 @@ struct IsometriesDocument : GeodesicsDocument {
     bool operator==(const Isometry&) const = default;
   };
 
+  std::vector<Isometry> isometries;
+  std::vector<Word> paths;  ///< By tile: from tile 0 to it.
+  std::vector<Word> pair;   ///< Two elements from tile 0 to itself, of which the axes cross.
+  bool operator==(const IsometryRows&) const = default;
+};
+
+/// An isometries file: a spectrum, and generators of the isometry group with the order of the group.
+struct IsometriesDocument : GeodesicsDocument, IsometryRows {
+  using Word = IsometryRows::Word;
+
   /// Claims a complete spectrum.
   IsometriesDocument() { claim = Claim::spectrum; }
 
-  std::uint32_t order = 1;           ///< Of the group of all isometries.
-  std::vector<Isometry> isometries;  ///< They generate it.
-  std::vector<Word> paths;           ///< By tile: from tile 0 to it.
-  std::vector<Word> pair;            ///< Two elements from tile 0 to itself, of which the axes cross.
+  std::uint32_t order = 1;  ///< Of the group of all isometries, which those listed generate.
   /// By generator g_s: the value of a function of words at the letter s; the letter of its partner has the opposite
   /// one, and the letters around a vertex have the sum 0, all modulo 2³².
   std::vector<std::uint32_t> cocycle;

@@ -12,7 +12,7 @@
 namespace epsnet::certify {
 
 template <>
-struct Fields<IsometriesDocument::Isometry> {
+struct Fields<IsometryRows::Isometry> {
   static auto members(auto& isometry) {
     return std::tuple(member("preserves_orientation", isometry.preserves_orientation),
                       member("images", isometry.images));

@@ -199,6 +199,8 @@ std::vector<Family> families() {
     b.push_back(file("bounds/regular-diameter.json", 2));
     b.push_back(file("bounds/octagon-diameter-base.json", 2));
     b.push_back(file("bounds/octagon-embedded-disk-base.json", 2));
+    b.push_back(file("bounds/octagon-diameter-domain.json", 2));
+    b.push_back(file("bounds/bolza-radius-domain.json", 2));
   }
   {
     auto& b = add("isometries", 20);

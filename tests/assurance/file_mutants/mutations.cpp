@@ -885,6 +885,11 @@ const std::vector<MutationOf<DistanceDocument>>& distance_mutations() {
   return all;
 }
 
+BoundDocument::Symmetry& symmetry(BoundDocument& file) {
+  if (!file.symmetry) throw NothingToChange{};
+  return *file.symmetry;
+}
+
 const std::vector<MutationOf<BoundDocument>>& bound_mutations() {
   static const std::vector<MutationOf<BoundDocument>> all{
       {"end of the value",
@@ -937,6 +942,35 @@ const std::vector<MutationOf<BoundDocument>>& bound_mutations() {
        }},
       {"triangulations exchanged",
        [](BoundDocument& file, Random& r) { std::swap(r.of(file.triangulations), r.of(file.triangulations)); }},
+      {"centre of a domain",
+       [](BoundDocument& file, Random& r) { change_length(symmetry(file).centre.at(r.below(2)), r); }},
+      {"symmetry left out", [](BoundDocument& file, Random&) { symmetry(file), file.symmetry.reset(); }},
+      {"sides of a domain exchanged",
+       [](BoundDocument& file, Random& r) {
+         auto& rows = symmetry(file).isometries;
+         const std::size_t i = r.below(rows.size());
+         const std::size_t k = r.below(rows.size());
+         std::swap(rows.at(i), rows.at(k));
+         if (r.below(2) == 0) std::swap(file.cells.at(i), file.cells.at(k));
+       }},
+      {"side of a domain left out",
+       [](BoundDocument& file, Random& r) {
+         auto& rows = symmetry(file).isometries;
+         const std::size_t i = r.below(rows.size());
+         rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
+         file.cells.erase(file.cells.begin() + static_cast<std::ptrdiff_t>(i));
+       }},
+      {"side of a domain in place of another",
+       [](BoundDocument& file, Random& r) { r.of(symmetry(file).isometries) = r.of(symmetry(file).isometries); }},
+      {"orientation of a side of a domain",
+       [](BoundDocument& file, Random& r) {
+         bool& preserves = r.of(symmetry(file).isometries).preserves_orientation;
+         preserves = !preserves;
+       }},
+      {"image of a side of a domain",
+       [](BoundDocument& file, Random& r) { change_word(r.of(r.of(symmetry(file).isometries).images), file.net, r); }},
+      {"pair of a symmetry",
+       [](BoundDocument& file, Random& r) { change_word(r.of(symmetry(file).pair), file.net, r); }},
   };
   return all;
 }
