@@ -55,7 +55,7 @@ Problem base_problem(const BoundDocument& document, std::uint64_t& triangles) {
 
 /// Counts the triangles around the centre.
 Problem symmetry_problem(const BoundDocument& document, std::uint64_t& triangles) {
-  const BoundDocument::Symmetry& symmetry = *document.symmetry;
+  const BoundSymmetry& symmetry = *document.symmetry;
   triangles = symmetry.isometries.size();
   if (!document.base.empty()) return "base: expected none beside a symmetry";
   const auto [x, y] = symmetry.centre;
@@ -124,7 +124,7 @@ constexpr std::uint64_t kEdgeOperations = 6;
 constexpr std::uint64_t kTriangleOperations = 16;
 constexpr std::uint64_t kCutOperations = 12;
 constexpr std::uint64_t kFlipOperations = 40;
-constexpr std::uint64_t kPlaceOperations = 60;
+constexpr std::uint64_t kPlaceOperations = 180;
 /// Bytes of a step of the base.
 constexpr std::uint64_t kStepBytes = 100;
 constexpr std::uint64_t kFunctionOperations = 60;

@@ -15,6 +15,13 @@
 /// true. Lengths are hyperbolic.
 namespace epsnet::certify {
 
+/// Isometries of a surface, counterclockwise around a centre. The domain of the points that are not farther from the
+/// centre than from its images has a point of every orbit; so a function that isometries keep is bounded there alone.
+struct BoundSymmetry : IsometryRows {
+  std::array<double, 2> centre{};  ///< In the chart of the net's vertex, inside of the disk.
+  bool operator==(const BoundSymmetry&) const = default;
+};
+
 /// A bound file: bounds for a function on a surface, proved cell by cell.
 struct BoundDocument {
   /// The quantity that is claimed to lie between the bounds.
@@ -30,13 +37,6 @@ struct BoundDocument {
     bool operator==(const Triangulation&) const = default;
   };
 
-  /// Isometries of the surface, counterclockwise around a centre. The domain of the points that are not farther from
-  /// the centre than from its images has a point of every orbit; so the function is bounded there alone.
-  struct Symmetry : IsometryRows {
-    std::array<double, 2> centre{};  ///< In the chart of the net's vertex, inside of the disk.
-    bool operator==(const Symmetry&) const = default;
-  };
-
   Claim claim = Claim::diameter;
   NetDocument net;   ///< With one vertex, a point where the function is at least the lower bound; for a radius, at most
                      ///< the upper one.
@@ -46,7 +46,7 @@ struct BoundDocument {
   /// splits it at its midpoint.
   std::vector<std::uint32_t> base;
   /// If there is one, cells are cut from the triangles around its centre, one for each isometry, and `base` is empty.
-  std::optional<Symmetry> symmetry;
+  std::optional<BoundSymmetry> symmetry;
   /// By triangle of the base, or of the domain: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3
   /// + k is a cell where the bound is that of triangulation k; for a radius, that of triangulation k' at the midpoint
   /// of side i, if k is i + 3k'; for an embedded disk, that of dart d of triangulation k', if k is d + 3nk' with n

@@ -16,7 +16,7 @@ using Word = IsometryRows::Word;
 constexpr std::uint64_t kRowOperations = 120;
 
 /// The words of the pair and then of its images, from the chart of the net's vertex to itself.
-NetDocument words_of(const NetDocument& net, const BoundDocument::Symmetry& symmetry, const Budget& budget) {
+NetDocument words_of(const NetDocument& net, const BoundSymmetry& symmetry, const Budget& budget) {
   const SurfaceSides sides(net.surface);
   const std::uint32_t chart = net.vertices[0].chart;
   NetDocument result;
@@ -87,7 +87,7 @@ Meet meet(BallVector c, slong precision) {
 
 }  // namespace
 
-Domain::Domain(const NetDocument& net, const BoundDocument::Symmetry& symmetry, const LabelParts& parts)
+Domain::Domain(const NetDocument& net, const BoundSymmetry& symmetry, const LabelParts& parts)
     : symmetry_(symmetry), words_(words_of(net, symmetry, parts.budget)), evaluator_(words_, parts) {}
 
 Domain::Placed Domain::place(slong precision, slong cap, unsigned threads) const {

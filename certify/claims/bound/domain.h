@@ -18,8 +18,8 @@ class Domain {
  public:
   /// The isometries are some (see isometries_report), and the net is valid. The parts, those of the net, must outlive
   /// the object. O(letters) memory, times those of a path; BudgetSpent, if that is too much.
-  Domain(const NetDocument& net, const BoundDocument::Symmetry& symmetry, const LabelParts& parts);
-  Domain(const NetDocument&, const BoundDocument::Symmetry&, const LabelParts&&) = delete;
+  Domain(const NetDocument& net, const BoundSymmetry& symmetry, const LabelParts& parts);
+  Domain(const NetDocument&, const BoundSymmetry&, const LabelParts&&) = delete;
 
   /// Its triangles at one precision: triangle i has the centre as corner 0, and the points that are as far from it as
   /// from its images under isometries i and i + 1, and under i + 1 and i + 2.
@@ -31,7 +31,7 @@ class Domain {
   [[nodiscard]] Placed place(slong precision, slong cap, unsigned threads) const;
 
  private:
-  const BoundDocument::Symmetry& symmetry_;
+  const BoundSymmetry& symmetry_;
   NetDocument words_;  ///< Charts, and as labels from the vertex' chart to itself: the pair, and its images.
   LabelEvaluator evaluator_;
 };

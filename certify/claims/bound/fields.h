@@ -26,7 +26,7 @@ struct Fields<BoundDocument::Triangulation> {
 };
 
 template <>
-struct Fields<BoundDocument::Symmetry> {
+struct Fields<BoundSymmetry> {
   static auto members(auto& symmetry) {
     return std::tuple(member("centre", symmetry.centre), member("isometries", symmetry.isometries),
                       member("paths", symmetry.paths), member("pair", symmetry.pair));

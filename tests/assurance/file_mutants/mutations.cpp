@@ -885,7 +885,7 @@ const std::vector<MutationOf<DistanceDocument>>& distance_mutations() {
   return all;
 }
 
-BoundDocument::Symmetry& symmetry(BoundDocument& file) {
+certify::BoundSymmetry& symmetry(BoundDocument& file) {
   if (!file.symmetry) throw NothingToChange{};
   return *file.symmetry;
 }
