@@ -20,12 +20,8 @@ using Vector = LiftedTiles::Vector;
 
 /// The most tiles near a point that are looked at, and letters of the words that lead to its images. Where the surface
 /// is thin its domains are long.
-constexpr std::uint64_t kMostTiles = 5'000;
+constexpr std::uint64_t kMostTilesNear = 5'000;
 constexpr std::size_t kMostLetters = 20'000;
-
-LorentzVector<double> rounded(const Vector& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.t)};
-}
 
 template <class T>
 LorentzVector<T> difference(const LorentzVector<T>& u, const LorentzVector<T>& v) {
@@ -34,9 +30,11 @@ LorentzVector<T> difference(const LorentzVector<T>& u, const LorentzVector<T>& v
 
 double distance_of(double cosh) { return std::acosh(std::max(1.0, cosh)); }
 
+}  // namespace
+
 /// The corners of the points that are not farther from a centre than from its images, in Klein coordinates with the
 /// centre in the middle, where bisectors are straight.
-class Polygon {
+class DomainPolygon {
  public:
   struct Corner {
     Complex<double> at;
@@ -44,7 +42,7 @@ class Polygon {
   };
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  Polygon() : corners_{{{-1, -1}, kNone}, {{1, -1}, kNone}, {{1, 1}, kNone}, {{-1, 1}, kNone}} {}
+  DomainPolygon() : corners_{{{-1, -1}, kNone}, {{1, -1}, kNone}, {{1, 1}, kNone}, {{-1, 1}, kNone}} {}
 
   /// Keeps the points for which ⟨n, (x, y, 1)⟩ ≥ 0, and those that are hardly beyond.
   void cut(const LorentzVector<double>& n, std::size_t side) {
@@ -89,8 +87,6 @@ class Polygon {
  private:
   std::vector<Corner> corners_;
 };
-
-}  // namespace
 
 /// Looks for a domain with a centre near a point. Everything is in the coordinates of tile 0.
 class DomainSearch {
@@ -152,7 +148,7 @@ class DomainSearch {
   };
   struct Choice {
     Complex<double> centre;  ///< With the point in the middle.
-    Polygon polygon;
+    DomainPolygon polygon;
     bool is_domain = false;
   };
 
@@ -174,7 +170,7 @@ class DomainSearch {
 
   /// Lifts of all isometries, the identity among them, that move the point by at most `reach`.
   [[nodiscard]] std::vector<Image> images_near(double reach) const {
-    const auto near = lifts_.source.search.elements(home_tile_, home_point_, reach, kMostTiles);
+    const auto near = lifts_.source.search.elements(home_tile_, home_point_, reach, kMostTilesNear);
     const auto tile_lifts = near.tile_lifts();
     if (!tile_lifts) throw LimitError("tiles are too long");
     std::vector<Image> result;
@@ -213,9 +209,9 @@ class DomainSearch {
       result.polygon.cut(normal[k], k);
     }
     const auto& corners = result.polygon.corners();
-    const bool is_finite =
-        std::isfinite(result.polygon.radius()) && corners.size() >= 3 &&
-        std::none_of(corners.begin(), corners.end(), [](const Polygon::Corner& c) { return c.side == Polygon::kNone; });
+    const bool is_finite = std::isfinite(result.polygon.radius()) && corners.size() >= 3 &&
+                           std::none_of(corners.begin(), corners.end(),
+                                        [](const DomainPolygon::Corner& c) { return c.side == DomainPolygon::kNone; });
     constexpr double kError = 1e-6;
     result.is_domain = is_finite && std::fabs(result.polygon.area() - area_) < kError * area_;
     return result;
@@ -231,7 +227,7 @@ class DomainSearch {
     const Motion<Number> from_chart = inverse(to_chart);
     std::vector<SurfaceIsometry> sides;
     std::vector<Vector> normal;
-    for (const Polygon::Corner& corner : choice.polygon.corners()) {
+    for (const DomainPolygon::Corner& corner : choice.polygon.corners()) {
       const Motion<Number>& f = images[corner.side].motion;
       std::optional<std::vector<Word>> words = lifts_.source.images(tiles_, f);
       if (!words) return std::nullopt;

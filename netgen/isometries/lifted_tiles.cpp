@@ -54,10 +54,6 @@ class SeenPoints {
   std::unordered_multimap<std::uint64_t, Point> points_;
 };
 
-LorentzVector<double> rounded(const Vector& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.t)};
-}
-
 Isometry<DoubleDouble> to_double_double(const Isometry<Number>& f) { return convert<DoubleDouble>(convert<Mp256>(f)); }
 
 std::vector<Vector> corners_of(const Surface& surface, TileId tile) {

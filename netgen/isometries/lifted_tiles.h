@@ -118,6 +118,11 @@ class LiftedTiles {
   ById<TileId, Vector> centres_;
 };
 
+/// The same vector, rounded.
+[[nodiscard]] inline LorentzVector<double> rounded(const LiftedTiles::Vector& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.t)};
+}
+
 /// Finds the elements of the group of a surface that move a point not far. Read-only, so threads may share it.
 ///
 /// They are found in the plane tiled by cells: by the tiles, or by a Dirichlet domain if tiles are much longer than

@@ -17,7 +17,7 @@ namespace {
 /// step.
 constexpr std::uint64_t kLookWork = 10;
 constexpr std::uint64_t kNearOperations = 4;
-constexpr std::uint64_t kStepOperations = 80;
+constexpr std::uint64_t kPathOperations = 80;
 
 std::array<double, 3> nearly(const BallVector& p) {
   return {fast_interval(p[0]).lower, fast_interval(p[1]).lower, fast_interval(p[2]).lower};
@@ -98,7 +98,7 @@ BallIsometry Elements::enclosed_along_edges(BallIsometry g) const {
   for (int i = 0; i < kMostSteps; ++i) {
     const std::uint64_t ball = ball_work(static_cast<std::uint64_t>(fine));
     budget_.spend(kLookWork, steps_.size());
-    budget_.spend(kStepOperations * ball);
+    budget_.spend(kPathOperations * ball);
     const Step* nearest = nullptr;
     const std::array<double, 3> near_goal = nearly(goal);
     for (const Step& step : steps_) {
