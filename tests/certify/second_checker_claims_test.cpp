@@ -544,9 +544,10 @@ TEST(SlowSecondCheckerOfBounds, ABaseIsWhatItsStepsMakeOfTheNet) {
 /// its bound with which the worst cell is bounded is the same.
 TEST(SlowSecondCheckerOfBounds, ABasesTrianglesAreWhereTheFirstCheckerHasThem) {
   // The last two also of elements that are products of many, on tiles {7, 3} and with a cuff of 10⁻³.
-  for (const std::string name : {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base",
-                                 "klein-diameter", "thin-embedded-disk", "octagon-diameter-domain",
-                                 "octagon-radius-domain", "octagon-embedded-disk-domain", "bolza-radius-domain"}) {
+  for (const std::string name :
+       {"octagon-diameter-base", "octagon-radius-base", "octagon-embedded-disk-base", "klein-diameter",
+        "thin-embedded-disk", "octagon-diameter-domain", "octagon-radius-domain", "octagon-embedded-disk-domain",
+        "bolza-radius-domain", "two-tiles-embedded-disk-domain"}) {
     const BoundDocument good = bound(name);
     const auto with = [&](double distance) {
       BoundDocument document = good;

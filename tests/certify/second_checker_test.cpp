@@ -83,6 +83,7 @@ TEST(SecondChecker, VerifiesClaimsOfEveryKindThatItKnows) {
                                  "bounds/octagon-radius-domain",
                                  "bounds/octagon-embedded-disk-domain",
                                  "bounds/bolza-radius-domain",
+                                 "bounds/two-tiles-embedded-disk-domain",
                                  "distances/four-equal",
                                  "distances/zero",
                                  "distances/across-a-cuff-of-1e-8",

@@ -516,7 +516,7 @@ json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.7263559791792
 json '^{"verdict":"VERIFIED","distance":\[0,0\],"equal":true,"paths":\[\[\]\],"p":{.*},"q":{.*}}$' distance net.json v3 v3 --json
 json '^{"verdict":"VERIFIED","diameter":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*,"p":{"tile":0,"x":"0","y":"0"},"q":\[{.*}\],"distance_of_p_and_q":\[2.44845244767[0-9]*,2.44845244767[0-9]*\]}$' diameter regular.json --json
 json '^{"verdict":"VERIFIED","embedded_disk_radius":\[1.5[0-9]*,1.[56][0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*,"p":{.*}}$' embedded-disk regular.json --width 0.1 --json
-json '^{"verdict":"VERIFIED","radius":\[1.8[0-9]*,1.94[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*,"p":{.*},"q":\[{.*}\],"distance_of_p_and_q":\[1.9[0-9]*,1.9[0-9]*\]}$' radius regular.json --width 0.1 --json
+json '^{"verdict":"VERIFIED","radius":\[1.8[0-9]*,1.9[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*,"p":{.*},"q":\[{.*}\],"distance_of_p_and_q":\[1.9[0-9]*,1.9[0-9]*\]}$' radius regular.json --width 0.1 --json
 json '^{"verdict":"VERIFIED","eccentricity":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"p":{"tile":0,"x":"0","y":"0"},"q":\[{.*}\],"distance_of_p_and_q":\[2.44845244767[0-9]*,2.44845244767[0-9]*\]}$' eccentricity regular.json 0 --json
 json '^{"verdict":"VERIFIED"}$' view net.json -o x.html --json
 json '^{"file":"surface","genus":2,' surface octagon --seed 1 -o x.json --json

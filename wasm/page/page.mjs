@@ -416,12 +416,23 @@ $('curves').onclick = () => {
     $('problem').textContent = error.message;
   }
 };
+// The word of a geodesic that is drawn: the layers of a list, as that of the shortest ones, have its geodesics by their numbers.
+function wordInLists(lists, layer, name) {
+  const layers = viewer.drawing.layers.filter(({parts}) => parts?.[0]?.[0].startsWith('geodesic '));
+  for (const {geodesics} of lists) {
+    for (let left = geodesics.length; left > 0 && layers.length > 0;) {
+      const first = layers.shift();
+      if (first === layer) return geodesics[Number(/^geodesic ([0-9]+)/.exec(name)[1])]?.word;
+      left -= first.parts.length;
+    }
+  }
+  return undefined;
+}
 // A closed geodesic that was chosen in the picture: it and some others there become the curves in question.
-function askAbout({layer, index}) {
+function askAbout({layer, name}) {
   const kMostOthers = 7;
   const lists = current.shown.filter(file => file.geodesics?.length > 0);
-  const layers = viewer.drawing.layers.filter(({parts}) => parts?.[0]?.[0].startsWith('geodesic '));
-  const word = lists[layers.indexOf(layer)]?.geodesics[index]?.word;
+  const word = wordInLists(lists, layer, name);
   if (word === undefined) return;
   const text = word.join(' ');
   const others = new Set(lists.flatMap(file => file.geodesics.map(g => g.word.join(' '))));

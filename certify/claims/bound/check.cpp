@@ -455,14 +455,14 @@ class BoundCheck {
       std::size_t cell = 0;  ///< The first that is not, else the first that is open.
       std::size_t cells = 0;
     };
-    std::vector<Outcome> outcomes(triangles_.size());
-    for_each_parallel(triangles_.size(), threads_, [&](unsigned worker, std::size_t t) {
+    std::vector<Outcome> outcomes(document_.cells.size());
+    for_each_parallel(outcomes.size(), threads_, [&](unsigned worker, std::size_t t) {
       if (worker == 0 && options_.progress) {
-        options_.progress("cells", static_cast<double>(t) / static_cast<double>(triangles_.size()));
+        options_.progress("cells", static_cast<double>(t) / static_cast<double>(outcomes.size()));
       }
       Outcome& outcome = outcomes[t];
       Frames frames(precision_);
-      std::vector<Cell> open{triangles_[t]};
+      std::vector<Cell> open{looked_up(triangles_, t, "there is no triangle")};
       for (const std::uint32_t entry : document_.cells[t]) {
         const Cell cell = std::move(open.back());
         open.pop_back();

@@ -197,7 +197,7 @@ class Drawing {
     for (const layer of this.layers)
       (layer.parts || []).forEach(([name, length, first], k) => {
         const end = k + 1 < layer.parts.length ? layer.parts[k + 1][2] : layer.arcs.length;
-        this.geodesics.push({layer, index: k, name, length, first, end, byTriangle: arcsByTriangle(layer, first, end)});
+        this.geodesics.push({layer, name, length, first, end, byTriangle: arcsByTriangle(layer, first, end)});
       });
     this.selected = null;  // One of the geodesics.
     this.hovered = null;   // What `find` returned.
