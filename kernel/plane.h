@@ -289,6 +289,10 @@ template <class T>
   return {u.x + v.x, u.y + v.y, u.t + v.t};
 }
 template <class T>
+[[nodiscard]] LorentzVector<T> operator-(const LorentzVector<T>& u, const LorentzVector<T>& v) {
+  return {u.x - v.x, u.y - v.y, u.t - v.t};
+}
+template <class T>
 [[nodiscard]] LorentzVector<T> operator*(const T& s, const LorentzVector<T>& v) {
   return {s * v.x, s * v.y, s * v.t};
 }

@@ -120,7 +120,7 @@ struct Fields<std::array<std::uint32_t, 2>> {
 
 template <>
 struct Fields<std::array<double, 2>> {
-  static constexpr const char* kExpected = "[lo, hi], two numbers";
+  static constexpr const char* kExpected = "two numbers";
   static auto elements(auto& pair) { return std::tie(pair[0], pair[1]); }
 };
 

@@ -23,11 +23,6 @@ using Vector = LiftedTiles::Vector;
 constexpr std::uint64_t kMostTilesNear = 5'000;
 constexpr std::size_t kMostLetters = 20'000;
 
-template <class T>
-LorentzVector<T> difference(const LorentzVector<T>& u, const LorentzVector<T>& v) {
-  return {u.x - v.x, u.y - v.y, u.t - v.t};
-}
-
 double distance_of(double cosh) { return std::acosh(std::max(1.0, cosh)); }
 
 }  // namespace
@@ -232,7 +227,7 @@ class DomainSearch {
       std::optional<std::vector<Word>> words = lifts_.source.images(tiles_, f);
       if (!words) return std::nullopt;
       sides.push_back({preserves_orientation(f), *std::move(words)});
-      normal.push_back(difference(in_chart, to_chart(f(from_chart(in_chart)))));
+      normal.push_back(in_chart - to_chart(f(from_chart(in_chart))));
     }
     result.rows = isometry_rows(surface_, sides);
     for (std::size_t i = 0; i < normal.size(); ++i) {

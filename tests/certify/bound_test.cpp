@@ -59,6 +59,12 @@ std::vector<BoundDocument> files_with_domain() {
           bolza_from_domain(), load("two-tiles-embedded-disk-domain")};
 }
 
+std::vector<BoundDocument> all_files_and_domains() {
+  std::vector<BoundDocument> result = all_files();
+  for (BoundDocument& document : files_with_domain()) result.push_back(std::move(document));
+  return result;
+}
+
 /// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
 double regular_diameter() { return std::acosh(std::pow(std::tan(std::numbers::pi / 8), -2)); }
 
@@ -409,16 +415,6 @@ TEST(BoundInADomain, EqualSidesAreNotDecided) {
   document.symmetry->isometries.push_back(document.symmetry->isometries.back());
   document.cells.push_back(document.cells.back());
   EXPECT_EQ(outcome(document), "UNDECIDED: domain");
-}
-
-TEST(BoundInADomain, TooLittleWorkIsUndecided) {
-  for (const BoundDocument& document : files_with_domain()) {
-    const std::uint64_t all = checked(document).counts.work;
-    EXPECT_EQ(check(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
-    for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
-      EXPECT_EQ(check(document, {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
-    }
-  }
 }
 
 TEST(BoundInADomain, EveryDefectIsMalformed) {
@@ -893,7 +889,7 @@ TEST(SlowBound, NoChangeMakesAFalseClaimVerified) {
 }
 
 TEST(Bound, ThreadsDoNotMatter) {
-  for (const BoundDocument& document : all_files()) {
+  for (const BoundDocument& document : all_files_and_domains()) {
     const Certificate one = check(document, {.threads = 1});
     const Certificate three = check(document, {.threads = 3});
     ASSERT_EQ(one.rules.size(), three.rules.size());
@@ -976,7 +972,7 @@ TEST(BoundOfARadius, ACellThatIsNotCutIsRefuted) {
 }
 
 TEST(Bound, TooLittleWorkOrPrecisionIsUndecided) {
-  for (const BoundDocument& document : all_files()) {
+  for (const BoundDocument& document : all_files_and_domains()) {
     const std::uint64_t all = checked(document).counts.work;
     EXPECT_EQ(check(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
     for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
@@ -1232,9 +1228,7 @@ TEST(Bound, InfiniteOrUnorderedBoundsAreMalformed) {
 }
 
 TEST(BoundFile, WhatIsWrittenIsRead) {
-  std::vector<BoundDocument> documents = all_files();
-  for (BoundDocument& document : files_with_domain()) documents.push_back(std::move(document));
-  for (const BoundDocument& document : documents) {
+  for (const BoundDocument& document : all_files_and_domains()) {
     EXPECT_EQ(parse_file<BoundDocument>(written(document), "test"), document);
     EXPECT_EQ(std::get<BoundDocument>(parse_file<ClaimDocument>(written(document), "test")), document);
   }

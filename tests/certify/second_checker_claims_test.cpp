@@ -606,6 +606,25 @@ TEST(SlowSecondCheckerOfBounds, ADomainIsThatOfItsCentreAndIsometries) {
   }
 }
 
+/// A row is an isometry only if the images of the generators are those of one and the same lift.
+TEST(SlowSecondCheckerOfBounds, ADomainIsOfIsometries) {
+  for (const std::string name : {"octagon-diameter-domain", "bolza-radius-domain", "two-tiles-embedded-disk-domain"}) {
+    const BoundDocument good = bound(name);
+    ASSERT_EQ(outcome(good), "VERIFIED") << name;
+    const std::size_t rows = good.symmetry->isometries.size();
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t k = 2; k < good.symmetry->isometries[i].images.size(); ++k) {
+        BoundDocument document = good;
+        auto& images = document.symmetry->isometries[i].images;
+        const auto& other = good.symmetry->isometries[(i + 1) % rows].images[k];
+        if (images[k] == other) continue;
+        images[k] = other;
+        EXPECT_EQ(outcome(document), "REFUTED: isometries") << name << ", image " << k << " of isometry " << i;
+      }
+    }
+  }
+}
+
 /// The best value for which the cells are bounded is the same number for both checkers, so where few digits do not
 /// tell, more are asked.
 TEST(SlowSecondCheckerOfBounds, TheBestValueIsTheSameToTheLastDigit) {

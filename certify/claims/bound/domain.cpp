@@ -40,9 +40,15 @@ NetDocument words_of(const NetDocument& net, const BoundSymmetry& symmetry, cons
   return result;
 }
 
+/// The vector of a row.
+BallVector vector_of(BallVector row) {
+  row[2] = -row[2];
+  return row;
+}
+
 /// ⟨u × v, w⟩ = det(u, v, w).
 BallVector lorentz_cross(const BallVector& u, const BallVector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[1] * v[0] - u[0] * v[1]};
+  return vector_of(cross_product(u, v, Precision::bits()));
 }
 
 /// The traceless parts of two elements with Re a > 0, and their product: a basis if the axes cross.
@@ -50,13 +56,11 @@ using AxisBasis = std::array<BallVector, 3>;
 
 /// Nothing if balls do not tell the signs of the elements.
 std::optional<AxisBasis> axis_basis(BallIsometry x, BallIsometry y) {
-  const auto normal = [](BallIsometry& g) -> BallVector {
-    choose_sign(g);
-    return {-imaginary(g.b), real(g.b), imaginary(g.a)};
-  };
-  BallVector u = normal(x);
-  BallVector v = normal(y);
+  choose_sign(x);
+  choose_sign(y);
   if (certainly_positive(real(x.a)) != Tri::yes || certainly_positive(real(y.a)) != Tri::yes) return std::nullopt;
+  BallVector u = vector_of(traceless_row(x));
+  BallVector v = vector_of(traceless_row(y));
   BallVector w = lorentz_cross(u, v);
   return AxisBasis{std::move(u), std::move(v), std::move(w)};
 }
