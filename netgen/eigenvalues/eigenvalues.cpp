@@ -42,6 +42,8 @@ constexpr double kNearZero = 1e-6;
 constexpr double kMostTriangles = 1e7;
 constexpr const char* kRounding =
     "rounding errors are too large in triangles as thin as those around a closed geodesic that is so short";
+constexpr const char* kTooLarge =
+    "epsilon is too large: triangles of its net have quarters without a circumscribed circle";
 
 [[nodiscard]] bool many_digits(const EigenvaluesOptions& options) {
   return options.phases.empty() && options.digits.value_or(options.below ? 1 : 9) > kDigitsOfMatrices;
@@ -238,7 +240,10 @@ class Search {
     }
     net_.report_matrices();
     Level result(net_.geometry(), halvings, turns_);
-    if (!std::isfinite(result.interpolation)) throw NetError(kRounding);
+    if (!std::isfinite(result.interpolation)) {
+      const bool too_large = options_.epsilon && static_cast<double>(options_.epsilon->value()) > kGreatestEpsilon;
+      throw NetError(too_large ? kTooLarge : kRounding);
+    }
     result.orders = net_.orders(result);
     return result;
   }

@@ -295,7 +295,9 @@ double Elements::interpolation() const {
   for (const Triple& squares : squares_) {
     const FlatTriangle flat(squares);
     const double longest = std::max({squares[0], squares[1], squares[2]});
-    greatest = std::max(greatest, 0.1893 * 0.1893 * longest * flat.cosh * (1 + flat.radius));
+    const double here = 0.1893 * 0.1893 * longest * flat.cosh * (1 + flat.radius);
+    if (std::isnan(here)) return here;
+    greatest = std::max(greatest, here);
   }
   return greatest;
 }
@@ -552,7 +554,9 @@ Eigenpairs<Scalar> first_pairs(const Pencil<Scalar>& matrices, std::uint32_t cou
   for (int in_vain = 0; in_vain < kMostInVain;) {
     const Eigen::Index wanted = std::min(missing + kMore, size - 2 - known.vectors.cols());
     if (wanted < 1) break;
-    known = merged(known, more_eigenvalues(inverse, mass, wanted));
+    const Eigenpairs<Scalar> more = more_eigenvalues(inverse, mass, wanted);
+    if (more.values.empty()) break;
+    known = merged(known, more);
     inverse.set_known(known);
     // Counted where there is a gap: those that are equal, but for rounding, are not told apart by counting.
     std::size_t gap = count;
@@ -569,8 +573,7 @@ Eigenpairs<Scalar> first_pairs(const Pencil<Scalar>& matrices, std::uint32_t cou
   }
   throw NetError(
       "Lanczos's method finds too few eigenvalues of a net, as around a closed geodesic that is too short for numbers "
-      "of "
-      "binary64");
+      "of binary64");
 }
 
 }  // namespace

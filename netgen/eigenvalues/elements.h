@@ -70,7 +70,7 @@ class Elements {
   [[nodiscard]] ElementMatrices lower() const;
   /// For values in the corners, continuous functions: the eigenvalues are at least those of the surface.
   [[nodiscard]] ElementMatrices upper() const;
-  /// H.
+  /// H; not a number if a triangle is so large that its flat triangle has no circumscribed circle.
   [[nodiscard]] double interpolation() const;
   /// All of them, by number.
   [[nodiscard]] std::vector<FlatTriangle> triangles() const { return {squares_.begin(), squares_.end()}; }

@@ -596,6 +596,17 @@ TEST(Eigenvalues, NetsTooCoarseForFunctionsAreErrors) {
               ThrowsMessage<NetError>(HasSubstr("epsilon is more than 1, which is too much for more than 2 digits")));
 }
 
+/// The midpoints of the sides of a large triangle may have no circumscribed circle.
+TEST(Eigenvalues, NetsWithTrianglesWithoutFlatQuartersAreErrors) {
+  const Surface surface = Surface::regular(5);
+  EigenvaluesOptions options{.count = 1, .digits = 2, .epsilon = Length("30")};
+  const auto message = ThrowsMessage<NetError>(
+      HasSubstr("epsilon is too large: triangles of its net have quarters without a circumscribed circle"));
+  EXPECT_THAT([&] { eigenvalues(surface, options); }, message);
+  options.phases = std::vector<Rational>(10, Rational(1, 3));
+  EXPECT_THAT([&] { eigenvalues(surface, options); }, message);
+}
+
 TEST(Eigenvalues, NearZeroAreNotSoughtInVain) {
   for (const char* length : {"0.00001", "0.00000001"}) {
     EXPECT_THAT([&] { (void)unproved::eigenvalues(with_cuff(length), {.below = 0.25}); },
