@@ -80,7 +80,8 @@ struct BoundOptions {
 [[nodiscard]] Certified<certify::NetDocument> eccentricity_net(const Surface& surface, const BasePoint& vertex);
 
 /// Encloses the diameter: the greatest distance of two points. Branch and bound over the positions of one of them, in
-/// a domain of the surface's isometries if these are found (docs/distances.md gives the number of cells). Throws std::invalid_argument for a width below kLeastBoundWidth.
+/// a domain of the surface's isometries if these are found (docs/distances.md gives the number of cells). Throws
+/// std::invalid_argument for a width below kLeastBoundWidth.
 [[nodiscard]] Certified<certify::BoundDocument> diameter(const Surface& surface, const BoundOptions& options = {});
 
 /// Encloses the radius: the least eccentricity, which is the least r such that a disk of radius r covers the surface.
