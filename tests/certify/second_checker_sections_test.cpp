@@ -625,7 +625,13 @@ TEST(Boxes, HaveAStepForEachSideAndAHeightForEachVertex) {
   };
   EXPECT_EQ(with_step(1'000'000), "REFUTED: enclosures");
   EXPECT_EQ(with_step(1'000'001), "MALFORMED");
-  EXPECT_EQ(with_step(-1'000'001), "MALFORMED");
+  for (const std::int64_t step : {1'000'001, -1'000'001})
+    EXPECT_EQ(changed_box([&](auto& b) { b.directions[2].steps[5] = step; }), "MALFORMED") << step;
+  for (const double height : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    Document document = box();
+    document.box->directions[1].heights.back() = height;
+    EXPECT_EQ(message(document), "box.directions[1]: a height is not finite");
+  }
 }
 
 }  // namespace
