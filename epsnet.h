@@ -2,26 +2,21 @@
 
 /// The public interface of epsnet: surfaces, nets, certificates, closed geodesics, pictures, files.
 ///
-/// A program that only checks files includes certify/check.h and certify/file/reader.h, and links the library
+/// A program that only checks files includes certify/check.h and certify/file/file.h, and links the library
 /// `epsnet_certify` alone.
 
 #include "certify/base/interval.h"
 #include "certify/check.h"
 #include "certify/documents.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
 #include "kernel/numbers.h"
 #include "kernel/plane.h"
 #include "netgen/base/options.h"
-#include "netgen/curves/closed_curves.h"
-#include "netgen/curves/lengths.h"
-#include "netgen/curves/mapping_class.h"
-#include "netgen/curves/maximal_systoles.h"
+#include "netgen/curves/curves.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
-#include "netgen/eigenvalues/lattice.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
@@ -31,9 +26,7 @@
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/prove/certified.h"
-#include "netgen/surfaces/characters.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/regular_maps.h"
 #include "netgen/surfaces/surfaces.h"
 #include "triangulation/surface/surface.h"

@@ -13,7 +13,7 @@
 //   VERIFIED: an epsilon-net
 
 #include <epsnet/certify/check.h>
-#include <epsnet/certify/file/reader.h>
+#include <epsnet/certify/file/file.h>
 #include <exception>
 #include <iostream>
 

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/regular_maps.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +17,7 @@
 
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/coset_enumeration.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// The program `regular_maps GENUS`: finds all regular maps of genus 2 to GENUS, up to duality and mirror images, and
 /// prints netgen/surfaces/regular_map_table.h, or the part of it for these genera.
@@ -417,7 +416,7 @@ void print_table(std::uint32_t most_genus) {
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key() < b.key(); });
   name_entries(entries);
   find_surfaces(entries);
-  std::cout << "#pragma once\n\n#include <array>\n\n#include \"netgen/surfaces/regular_maps.h\"\n\n"
+  std::cout << "#pragma once\n\n#include <array>\n\n#include \"netgen/surfaces/surfaces.h\"\n\n"
                "/// The table of experiments/regular_maps.cpp, printed by `regular_maps "
             << most_genus << "`.\nnamespace epsnet {\n\n// clang-format off\ninline constexpr std::array<RegularMap, "
             << entries.size() << "> kRegularMaps{{\n";

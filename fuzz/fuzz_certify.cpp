@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 

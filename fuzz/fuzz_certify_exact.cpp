@@ -6,7 +6,7 @@
 
 #include "certify/check.h"
 #include "certify/exact/checker.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 
 namespace {
 

@@ -2,8 +2,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 /// Any bytes are the file of a claim or give a MalformedError; a file that is written reads back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

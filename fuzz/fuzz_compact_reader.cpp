@@ -4,8 +4,7 @@
 #include <string>
 
 #include "certify/file/compact.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 /// Any bytes, followed by their checksum, are a compact net file or give a MalformedError. A document that is read and
 /// written again stays the same, also as JSON.

@@ -4,8 +4,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 namespace {
 

@@ -3,8 +3,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/surface_check.h"
 #include "netgen/surfaces/surfaces.h"
 

@@ -7,8 +7,7 @@
 #include <sstream>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 

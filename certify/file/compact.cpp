@@ -9,7 +9,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 
 namespace epsnet::certify {
 

@@ -12,8 +12,8 @@
 #include "certify/base/text.h"
 #include "certify/claims.h"
 #include "certify/file/compact.h"
+#include "certify/file/file.h"
 #include "certify/file/json.h"
-#include "certify/file/reader.h"
 
 namespace epsnet::certify {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "certify/documents.h"
+#include "certify/file/file.h"
 #include "certify/file/json.h"
-#include "certify/file/reader.h"
 
 namespace epsnet::certify {
 

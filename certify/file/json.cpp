@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "certify/base/text.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 
 namespace epsnet::certify {
 

@@ -1,5 +1,3 @@
-#include "certify/file/reader.h"
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -15,6 +13,7 @@
 #include "certify/base/text.h"
 #include "certify/claims.h"
 #include "certify/file/document_reader.h"
+#include "certify/file/file.h"
 
 namespace epsnet::certify {
 namespace {

@@ -1,5 +1,3 @@
-#include "certify/file/writer.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,6 +15,7 @@
 
 #include "certify/claims.h"
 #include "certify/file/compact.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 
 namespace epsnet::certify {

@@ -20,8 +20,7 @@
 #include "certify/check.h"
 #include "certify/file/compact.h"
 #include "certify/file/document_reader.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/program/output.h"
 
 namespace epsnet::certify::program {

@@ -17,7 +17,7 @@
 
 #include "certify/base/text.h"
 #include "certify/claims.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/numbers/ball.h"
 #include "certify/program/file_check.h"
 #include "certify/program/output.h"

@@ -1,5 +1,3 @@
-#include "netgen/curves/closed_curves.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "certify/numbers/isometry.h"
+#include "netgen/curves/curves.h"
 #include "netgen/curves/radial_graph.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/curve_system.h"

@@ -1,5 +1,3 @@
-#include "netgen/curves/lengths.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "certify/numbers/interval_arithmetic.h"
+#include "netgen/curves/curves.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants.h"

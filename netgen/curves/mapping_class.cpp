@@ -1,11 +1,10 @@
-#include "netgen/curves/mapping_class.h"
-
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <utility>
 
 #include "certify/base/text.h"
+#include "netgen/curves/curves.h"
 #include "netgen/curves/radial_graph.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/group.h"

@@ -1,5 +1,3 @@
-#include "netgen/curves/maximal_systoles.h"
-
 #include <ClpSimplex.hpp>
 #include <Eigen/Dense>
 #include <algorithm>
@@ -11,7 +9,7 @@
 
 #include "certify/base/text.h"
 #include "certify/numbers/interval_arithmetic.h"
-#include "netgen/curves/closed_curves.h"
+#include "netgen/curves/curves.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants.h"
 

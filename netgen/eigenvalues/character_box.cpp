@@ -17,7 +17,7 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/characters.h"
+#include "netgen/surfaces/group.h"
 
 namespace epsnet {
 namespace {

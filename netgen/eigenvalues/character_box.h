@@ -12,7 +12,7 @@
 /// Lemma 37.10), rounded.
 namespace epsnet {
 
-/// The directions of the torus of all characters, those of character_sides (netgen/surfaces/characters.h), each with a
+/// The directions of the torus of all characters, those of character_sides (netgen/surfaces/group.h), each with a
 /// function h of least energy that is linear on the flat triangles of a net.
 class CharacterDirections {
  public:

@@ -21,7 +21,7 @@
 #include "netgen/eigenvalues/local_functions.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/characters.h"
+#include "netgen/surfaces/group.h"
 
 namespace epsnet {
 namespace {

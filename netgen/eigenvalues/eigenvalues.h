@@ -1,8 +1,10 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <vector>
 
@@ -11,10 +13,11 @@
 #include "kernel/numbers.h"
 #include "netgen/base/options.h"
 #include "netgen/prove/certified.h"
+#include "netgen/surfaces/group.h"
 #include "triangulation/surface/surface.h"
 
-/// The first eigenvalues of the Laplacian of a surface, counted by a net, of functions or with phases.
-/// docs/eigenvalues.md says how and why.
+/// The first eigenvalues of the Laplacian of a surface, counted by a net, of functions or with phases; those of the
+/// graph of its tiles. docs/eigenvalues.md says how and why.
 namespace epsnet {
 
 /// Options of the search for eigenvalues.
@@ -26,7 +29,7 @@ struct EigenvaluesOptions {
   /// matrices alone enclose them, which takes much less time than functions.
   std::optional<int> digits = {};
   std::optional<Length> epsilon = {};  ///< Of the net; by default it is chosen, at most 0.6.
-  /// Not empty: the character χ of these phases (netgen/surfaces/characters.h), 2g numbers of turns. The eigenvalues
+  /// Not empty: the character χ of these phases (netgen/surfaces/group.h), 2g numbers of turns. The eigenvalues
   /// are those of functions on the plane with f(γz) = χ(γ) f(z), from λ₀(χ) on, which is 0 for χ = 1 alone; `digits` is
   /// at most 3, and 2 by default.
   std::vector<Rational> phases = {};
@@ -98,5 +101,39 @@ struct GapOptions {
 /// LimitError for genus 5 and more; std::invalid_argument unless 0 < radius < 1/2 and 0 < bound ≤ 10⁴. Time is that of
 /// one matrix for each box, and the number of boxes grows as a power 2g of how near the bound is.
 std::size_t gap_outside(const Surface& surface, const Rational& radius, double bound, const GapOptions& options = {});
+
+// Hyperbolic lattices: the graph of the tiles of a surface, with phases, as a Hermitian matrix, and its eigenvalues.
+
+/// A Hermitian matrix, sparse.
+struct HermitianMatrix {
+  /// On and below the diagonal: column ≤ row.
+  struct Entry {
+    std::uint32_t row;
+    std::uint32_t column;
+    std::complex<double> value;
+  };
+  std::uint32_t size = 0;
+  std::vector<Entry> entries{};  ///< By column, then by row; each place once.
+  double error = 0;  ///< The matrix that is meant differs from this one by one with no eigenvalue of greater modulus.
+};
+
+/// Returns the matrix H with (Hf)(v) = Σ f(w) over the neighbours w of v, for functions at the nodes with
+/// f(γz) = χ(γ) f(z), χ the character of 2g numbers of turns (character_sides); the adjacency matrix if `turns` is
+/// empty. Parts of entries are rounded to binary64, those of multiples of ¼ turn are exact. Throws CharacterError.
+/// O(sides log sides).
+[[nodiscard]] HermitianMatrix lattice_matrix(const Surface& surface, GraphNodes nodes,
+                                             const std::vector<Rational>& turns = {});
+
+/// A lattice of more nodes has its matrix only.
+inline constexpr std::uint32_t kMostLatticeNodes = 1500;
+
+/// Returns for all eigenvalues, in increasing order, with multiplicity, an interval that contains it. They are computed
+/// by Eigen, and proved by what the product of the matrix with the computed eigenvectors is, and by how far these are
+/// from orthonormal (docs/eigenvalues.md). Ends are multiples of a power of 2, at most 2⁻²⁰. Throws LimitError for more
+/// than kMostLatticeNodes, and if no proof is found. O(n³).
+[[nodiscard]] std::vector<certify::Interval> eigenvalues(const HermitianMatrix& matrix);
+
+/// Writes a MatrixMarket file: coordinate complex hermitian; integer symmetric if all entries are integers.
+void write_matrix_market(const HermitianMatrix& matrix, std::ostream& out);
 
 }  // namespace epsnet

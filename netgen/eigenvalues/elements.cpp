@@ -20,7 +20,7 @@
 #include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/characters.h"
+#include "netgen/surfaces/group.h"
 
 namespace epsnet {
 namespace {

@@ -45,7 +45,7 @@ struct FlatTriangle {
   std::array<double, 3> cotangent;  ///< By corner.
 };
 
-/// By label, 0 the identity: the phase of its word, from those of the sides (netgen/surfaces/characters.h).
+/// By label, 0 the identity: the phase of its word, from those of the sides (netgen/surfaces/group.h).
 [[nodiscard]] std::vector<double> turns_of_labels(const certify::NetDocument& net,
                                                   const ById<SideId, Rational>& phases);
 

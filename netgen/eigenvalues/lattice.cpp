@@ -1,5 +1,3 @@
-#include "netgen/eigenvalues/lattice.h"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -13,6 +11,7 @@
 
 #include "certify/base/text.h"
 #include "kernel/numbers.h"
+#include "netgen/eigenvalues/eigenvalues.h"
 
 namespace epsnet {
 namespace {

@@ -8,7 +8,7 @@
 #include "certify/net/document.h"
 #include "netgen/base/options.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/surfaces/characters.h"
+#include "netgen/surfaces/group.h"
 #include "triangulation/surface/surface.h"
 
 /// Surfaces and nets in the text formats of other programs (docs/exchange-formats.md): CGAL's, exactly, in and out;
@@ -117,7 +117,7 @@ void write_edges(const Surface& surface, std::ostream& out);
 
 /// Writes the adjacency matrix of the triangles of a net as a symmetric integer MatrixMarket file: how many edges join
 /// two nodes. A loop counts twice, so sums of rows are degrees. That of the tiles of a surface is its lattice_matrix
-/// (netgen/eigenvalues/lattice.h). Throws NetGeometryError.
+/// (netgen/eigenvalues/eigenvalues.h). Throws NetGeometryError.
 void write_adjacency(const certify::NetDocument& net, GraphNodes nodes, std::ostream& out);
 
 /// Writes a JSON object with the lifts, the isometries that glue their sides, and the labels

@@ -6,7 +6,7 @@
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/invariants.h"
 #include "netgen/isometries/isometries.h"
-#include "netgen/surfaces/regular_maps.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
 namespace {

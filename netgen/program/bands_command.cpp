@@ -11,14 +11,13 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/eigenvalues/eigenvalues.h"
-#include "netgen/eigenvalues/lattice.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/files.h"
-#include "netgen/surfaces/characters.h"
+#include "netgen/surfaces/group.h"
 
 /// The commands bands, gap and lattice: eigenvalues with phases, of functions on the plane along a path through the
 /// torus of characters, each point with its proof; a lower bound away from 0, by boxes; and of functions at the nodes

@@ -8,11 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/progress_line.h"
-#include "netgen/curves/closed_curves.h"
-#include "netgen/curves/mapping_class.h"
-#include "netgen/curves/maximal_systoles.h"
+#include "netgen/curves/curves.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"

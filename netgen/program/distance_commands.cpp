@@ -13,7 +13,7 @@
 
 #include "certify/base/interval.h"
 #include "certify/check.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/gmp.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/distances.h"

@@ -7,10 +7,10 @@
 
 #include "certify/check.h"
 #include "certify/claims.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/distances.h"
-#include "netgen/eigenvalues/lattice.h"
+#include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/lifts/lifts.h"

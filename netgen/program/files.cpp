@@ -16,8 +16,7 @@
 #include "certify/claims.h"
 #include "certify/file/compact.h"
 #include "certify/file/document_reader.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/surfaces/surfaces.h"
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/document.h"
 #include "certify/numbers/ball.h"
 #include "netgen/base/atomic_file.h"

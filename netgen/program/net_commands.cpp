@@ -12,7 +12,7 @@
 
 #include "certify/check.h"
 #include "certify/claims.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/lifts/info.h"
 #include "netgen/lifts/lifts.h"

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "certify/base/text.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "netgen/base/gmp.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/distances.h"

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "certify/base/text.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/progress_line.h"
-#include "netgen/curves/maximal_systoles.h"
+#include "netgen/curves/curves.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/pictures/pictures.h"

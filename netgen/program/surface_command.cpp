@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/gmp.h"
-#include "netgen/curves/mapping_class.h"
+#include "netgen/curves/curves.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/pants/pants.h"
@@ -18,7 +18,6 @@
 #include "netgen/program/files.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/regular_maps.h"
 #include "netgen/surfaces/surfaces.h"
 
 namespace epsnet::program {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/characters.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <optional>

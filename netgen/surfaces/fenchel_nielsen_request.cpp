@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "certify/base/text.h"
+#include "certify/file/file.h"
 #include "certify/file/json.h"
-#include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/number_field.h"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "certify/file/json.h"
-#include "netgen/surfaces/regular_maps.h"
 #include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "netgen/surfaces/regular_maps.h"
+#include "netgen/surfaces/surfaces.h"
 
 /// The table of experiments/regular_maps.cpp, printed by `regular_maps 10`.
 namespace epsnet {

@@ -1,10 +1,9 @@
-#include "netgen/surfaces/regular_maps.h"
-
 #include <sstream>
 #include <vector>
 
 #include "netgen/surfaces/coset_enumeration.h"
 #include "netgen/surfaces/regular_map_table.h"
+#include "netgen/surfaces/surfaces.h"
 
 namespace epsnet {
 

@@ -16,7 +16,7 @@
 #include "certify/claims.h"
 #include "certify/file/compact.h"
 #include "certify/file/document_reader.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/exact_isometries.h"
 

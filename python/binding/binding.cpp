@@ -10,7 +10,7 @@
 
 #include "certify/base/interval.h"
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/numbers/ball.h"
 #include "certify/verdict/report.h"
 #include "netgen/base/atomic_file.h"

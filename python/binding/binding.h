@@ -22,8 +22,7 @@
 
 #include "certify/base/interval.h"
 #include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
 #include "kernel/numbers.h"

@@ -5,19 +5,15 @@
 #include <stdexcept>
 
 #include "netgen/base/gmp.h"
-#include "netgen/curves/closed_curves.h"
-#include "netgen/curves/lengths.h"
-#include "netgen/curves/mapping_class.h"
-#include "netgen/curves/maximal_systoles.h"
+#include "netgen/curves/curves.h"
 #include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
-#include "netgen/eigenvalues/lattice.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/pictures.h"
-#include "netgen/surfaces/characters.h"
+#include "netgen/surfaces/group.h"
 #include "python/binding/binding.h"
 
 /// What is proved of a surface: distances and bounds, geodesics, eigenvalues, isometries, pants, closed curves.

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "certify/base/error.h"
-#include "certify/file/reader.h"
-#include "netgen/curves/mapping_class.h"
+#include "certify/file/file.h"
+#include "netgen/curves/curves.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"

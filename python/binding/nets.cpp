@@ -4,7 +4,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"

@@ -1,15 +1,13 @@
 #include "netgen/surfaces/surfaces.h"
 
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
-#include "netgen/eigenvalues/lattice.h"
+#include "certify/file/file.h"
+#include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/regular_maps.h"
 #include "python/binding/binding.h"
 #include "triangulation/surface/surface.h"
 

@@ -14,7 +14,7 @@
 #endif
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/filter.h"
 
 /// However the caller's floating-point environment is set, files are read and checked as in the default one.

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/structure.h"
 
 /// The work that a file may take: counted, the same for any number of threads, and never exceeded.

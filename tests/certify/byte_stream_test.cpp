@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/file/file.h"
 #include "certify/file/json.h"
-#include "certify/file/reader.h"
 
 namespace epsnet::certify::byte_stream_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "certify/base/text.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 
 namespace epsnet::certify::check_test {

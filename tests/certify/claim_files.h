@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 
 /// What the tests of all claims ask of a document, and of the text of its file.

@@ -6,7 +6,7 @@
 
 #include "certify/check.h"
 #include "certify/claims/net/claim.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "certify/net/structure.h"
 #include "certify/net/surface_check.h"

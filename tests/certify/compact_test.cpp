@@ -14,8 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 /// Compact net files say what net files say, and nothing that is damaged, cut off or contradictory is read.
 namespace epsnet::certify::compact_test {

@@ -26,7 +26,7 @@
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/eigenvalues/forms.h"
 #include "certify/claims/eigenvalues/local_functions.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/structure.h"
 #include "certify/net/surface_check.h"
 #include "tests/certify/over_field.h"

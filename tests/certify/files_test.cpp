@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 
 /// Every file under tests/data/certify/VERDICT has that verdict; refuted and undecided ones are named RULE-defect.
 namespace epsnet::certify::files_test {

@@ -9,7 +9,7 @@
 
 #include "certify/check.h"
 #include "certify/claims/geodesics/fields.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 
 /// Members that a claim has or has not, and words, as docs/format.md says: each is malformed by itself.

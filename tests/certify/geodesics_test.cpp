@@ -12,8 +12,7 @@
 
 #include "certify/check.h"
 #include "certify/claims/geodesics/sequences.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 #include "tests/certify/far_words.h"

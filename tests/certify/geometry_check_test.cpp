@@ -14,7 +14,7 @@
 
 #include "certify/base/text.h"
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/geometry_pass.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"
 #include "certify/net/triangulation_check.h"

@@ -10,7 +10,7 @@
 #include "certify/check.h"
 #include "certify/claims/isometries/conjugation.h"
 #include "certify/claims/isometries/fields.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "tests/certify/claim_files.h"
 
 /// Isometries files. Each rule is broken by a file in which nothing else is wrong.

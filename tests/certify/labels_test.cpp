@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/surface_check.h"
 #include "tests/certify/over_field.h"
 

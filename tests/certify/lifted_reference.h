@@ -10,7 +10,7 @@
 
 #include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/document.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "tests/certify/reference.h"
 

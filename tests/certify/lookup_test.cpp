@@ -8,7 +8,7 @@
 
 #include "certify/base/text.h"
 #include "certify/claims/geodesics/sequences.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/lifted_triangle.h"

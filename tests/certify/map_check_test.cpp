@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "certify/net/triangulation_check.h"
 

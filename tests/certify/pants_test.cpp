@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "tests/certify/claim_files.h"
 
 /// Pants files. Each rule is broken by a file in which nothing else is wrong.

@@ -1,5 +1,3 @@
-#include "certify/file/reader.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -18,7 +16,7 @@
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/file/document_reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 namespace epsnet::certify::reader_test {
 namespace {

@@ -6,8 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 /// What the reader accepts says what is written, value by value: files of every kind, one value changed at a time, are
 /// read, written again, and compared by another JSON library.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
 #include "certify/net/structure.h"

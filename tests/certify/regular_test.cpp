@@ -5,7 +5,7 @@
 #include <map>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"
 #include "certify/net/surface_check.h"

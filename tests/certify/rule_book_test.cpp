@@ -12,7 +12,7 @@
 #include "certify/check.h"
 #include "certify/claims.h"
 #include "certify/claims/net/claim.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/structure.h"
 #include "certify/verdict/verification.h"
 

@@ -15,8 +15,7 @@
 #include "certify/exact/json.h"
 #include "certify/exact/net_rules.h"
 #include "certify/exact/number_field.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "tests/certify/biquadratic.h"
 #include "tests/certify/claim_files.h"
 

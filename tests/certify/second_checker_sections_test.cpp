@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/claims/eigenvalues/box.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/exact/checker.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "tests/certify/reference.h"
 
@@ -414,6 +414,16 @@ TEST(Boxes, HaveTheGreatestSlopeOfAllTriangles) {
     EXPECT_EQ(changed_box([&](auto& b) { b.directions[v % 4].heights[v] += 2; }), "REFUTED: enclosures") << v;
 }
 
+/// Of one count from either side.
+Document box_of_one_row() {
+  Document document = box();
+  document.eigenvalues.resize(1);
+  document.next = 0;
+  document.at_most.resize(1);
+  document.at_least.resize(1);
+  return document;
+}
+
 /// ρ by Lemma 37.10, in long double, and the triangle where slopes are greatest.
 struct RootDistance {
   certify::Real value = 0;
@@ -501,13 +511,36 @@ void expect_distance(Document document, const certify::Real& distance) {
   EXPECT_EQ(outcome(document), "REFUTED: enclosures");
 }
 
+/// Both checkers round the same number outward, so they agree on ends that differ in the last digit.
+TEST(Boxes, EndInTheSameNumbersForBothCheckers) {
+  Document document = box_of_one_row();
+  const certify::Real distance = RootDistances(document.net)(*document.box).value;
+  const auto root = [](double x) { return std::sqrt(certify::Real{x}); };
+  auto& in = document.eigenvalues[0].in;
+  double& least = document.at_most[0].count == 0 ? in.lower : document.next;
+  // Verified up to some end, and refuted from the next one on.
+  const auto expect_change = [&](double& end, const certify::Real& value, double towards) {
+    end = static_cast<double>(value);
+    for (int digit = 0; digit < 3; ++digit) end = std::nextafter(end, -towards);
+    EXPECT_EQ(outcome(document), "VERIFIED");
+    std::string last = "VERIFIED";
+    for (int digit = 0; digit < 6; ++digit) {
+      end = std::nextafter(end, towards);
+      const std::string next = outcome(document);
+      EXPECT_TRUE(last == "VERIFIED" || next == "REFUTED: enclosures") << next;
+      last = next;
+    }
+    EXPECT_EQ(last, "REFUTED: enclosures");
+  };
+  in.upper = 100;
+  expect_change(least, std::pow(root(document.at_most[0].below) - distance, 2), HUGE_VAL);
+  least = 0;
+  expect_change(in.upper, std::pow(root(document.at_least[0].below) + distance, 2), -HUGE_VAL);
+}
+
 /// Heights are such that each triangle is once the steepest one.
 TEST(Boxes, HaveTheDistanceOfTheLemma) {
-  Document document = box();
-  document.eigenvalues.resize(1);
-  document.next = 0;
-  document.at_most.resize(1);
-  document.at_least.resize(1);
+  Document document = box_of_one_row();
   const Document::Box made = *document.box;
   const RootDistances distance_of(document.net);
   std::set<std::uint32_t> steepest;
@@ -524,6 +557,49 @@ TEST(Boxes, HaveTheDistanceOfTheLemma) {
     if (distance.value < 0.4 && steepest.insert(distance.triangle).second) expect_distance(document, distance.value);
   }
   EXPECT_EQ(steepest.size(), triangles);
+}
+
+/// If it is more than a root, nothing is known of lower ends: (√y − ρ)² is no bound then.
+TEST(Boxes, AsLargeAsARootHaveNoLowerEnd) {
+  Document document = box_of_one_row();
+  const RootDistances distance_of(document.net);
+  const certify::Real root = std::sqrt(certify::Real{document.at_most[0].below});
+  const certify::Real to_root = root / distance_of(*document.box).value / 100;
+  double& least = document.at_most[0].count == 0 ? document.eigenvalues[0].in.lower : document.next;
+  document.eigenvalues[0].in.upper = 100;
+  for (const double times : {1.001, 1.5, 3.0}) {
+    document.box->radius = std::to_string(static_cast<double>(times * to_root));
+    least = 0;
+    EXPECT_EQ(outcome(document), "VERIFIED") << times;
+    least = static_cast<double>(std::pow((times - 1) * root, 2)) / 2;
+    EXPECT_EQ(outcome(document), "REFUTED: enclosures") << times;
+  }
+  document.box->radius = std::to_string(static_cast<double>(0.9 * to_root));
+  least = document.at_most[0].below / 101;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+TEST(Boxes, MoveNumbersOutward) {
+  EXPECT_EQ(certify::least_beside(4, 1), 1);
+  EXPECT_EQ(certify::greatest_beside(4, 1), 9);
+  EXPECT_EQ(certify::least_beside(4, 2), 0);
+  EXPECT_EQ(certify::least_beside(4, 3), 0);
+  std::minstd_rand random(1);
+  const auto next = [&] { return static_cast<double>(random()) / std::minstd_rand::max(); };
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double x = next();
+    const double distance = next();
+    EXPECT_EQ(certify::least_beside(x, 0), x);
+    EXPECT_EQ(certify::greatest_beside(x, 0), x);
+    // In 256 bits.
+    const certify::Precision scope(256);
+    const certify::Ball root = sqrt(certify::Ball::exactly(x));
+    const certify::Ball moved = certify::Ball::exactly(distance);
+    const certify::Ball least = root - moved;
+    const bool is_left = certainly_less(certify::Ball(), least) == certify::Tri::yes;
+    EXPECT_EQ(certify::least_beside(x, distance), is_left ? lower_end(sqr(least)) : 0) << x << ' ' << distance;
+    EXPECT_EQ(certify::greatest_beside(x, distance), upper_end(sqr(root + moved))) << x << ' ' << distance;
+  }
 }
 
 /// Six directions are two groups.
@@ -566,6 +642,7 @@ TEST(Boxes, HaveStepsOfHomomorphisms) {
   const certify::SurfaceSides sides(box().net.surface);
   for (std::uint32_t s = 0; s < 8; ++s) {
     EXPECT_EQ(changed_box([&](auto& b) { ++b.directions[s % 4].steps[s]; }), "REFUTED: box") << s;
+    EXPECT_EQ(changed_box([&](auto& b) { --b.directions[s % 4].steps[s]; }), "REFUTED: box") << s;
     EXPECT_EQ(changed_box([&](auto& b) {
                 ++b.directions[s % 4].steps[s];
                 ++b.directions[s % 4].steps[sides.partner[s]];
@@ -625,8 +702,10 @@ TEST(Boxes, HaveAStepForEachSideAndAHeightForEachVertex) {
   };
   EXPECT_EQ(with_step(1'000'000), "REFUTED: enclosures");
   EXPECT_EQ(with_step(1'000'001), "MALFORMED");
-  for (const std::int64_t step : {1'000'001, -1'000'001})
-    EXPECT_EQ(changed_box([&](auto& b) { b.directions[2].steps[5] = step; }), "MALFORMED") << step;
+  for (std::uint32_t s = 0; s < 8; ++s) {
+    for (const std::int64_t step : {1'000'001, -1'000'001})
+      EXPECT_EQ(changed_box([&](auto& b) { b.directions[2].steps[s] = step; }), "MALFORMED") << s;
+  }
   for (const double height : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
     Document document = box();
     document.box->directions[1].heights.back() = height;

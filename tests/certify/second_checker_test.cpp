@@ -21,8 +21,7 @@
 #include "certify/check.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/json.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "tests/certify/claim_files.h"
 

@@ -14,8 +14,7 @@
 #include "certify/check.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/interval.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 /// Local maxima of the systole, asked of both checkers.
 namespace epsnet::exact::second_checkers_local_maximum_test {

@@ -13,7 +13,7 @@
 
 #include "certify/check.h"
 #include "certify/exact/checker.h"
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 
 /// What the second checker calls malformed, of files of every claim of which one value is changed: what the first one
 /// does.

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 
 namespace epsnet::certify::surface_check_test {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distances.h"
 #include "netgen/nets/certified_net.h"

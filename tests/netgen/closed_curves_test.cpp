@@ -1,5 +1,3 @@
-#include "netgen/curves/closed_curves.h"
-
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "certify/claims/curves/fields.h"
+#include "netgen/curves/curves.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "certify/net/numbering.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"

@@ -12,7 +12,6 @@
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/regular_maps.h"
 #include "netgen/surfaces/surfaces.h"
 #include "netgen/surfaces/triangle_group.h"
 

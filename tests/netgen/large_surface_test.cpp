@@ -2,7 +2,7 @@
 #include <sstream>
 #include <string>
 
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surfaces.h"
 

@@ -1,5 +1,3 @@
-#include "netgen/curves/lengths.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -8,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/curves/closed_curves.h"
+#include "netgen/curves/curves.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"

@@ -1,5 +1,3 @@
-#include "netgen/curves/mapping_class.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
@@ -8,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "netgen/curves/curves.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/pants/pants.h"

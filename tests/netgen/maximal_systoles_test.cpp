@@ -1,5 +1,3 @@
-#include "netgen/curves/maximal_systoles.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "netgen/curves/curves.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"

@@ -6,8 +6,7 @@
 
 #include "certify/check.h"
 #include "certify/exact/checker.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"

@@ -9,7 +9,7 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
-#include "netgen/curves/closed_curves.h"
+#include "netgen/curves/curves.h"
 #include "netgen/distances/distances.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/dirichlet_polygon.h"

@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/collars.h"
 #include "netgen/nets/refine.h"

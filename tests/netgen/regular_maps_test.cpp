@@ -1,5 +1,3 @@
-#include "netgen/surfaces/regular_maps.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>

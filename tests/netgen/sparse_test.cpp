@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"

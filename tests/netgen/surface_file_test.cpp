@@ -7,8 +7,7 @@
 #include <sys/stat.h>
 #include <vector>
 
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/nets/certified_net.h"

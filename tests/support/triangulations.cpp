@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "certify/file/reader.h"
+#include "certify/file/file.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/surfaces/surfaces.h"

@@ -23,8 +23,7 @@
 
 #include "certify/check.h"
 #include "certify/exact/checker.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
+#include "certify/file/file.h"
 
 /// Runs the tests of this program against mutants, each in its own process, a fork, which needs no start and no
 /// loading.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,11 +13,16 @@
 #include "certify/base/error.h"
 #include "certify/documents.h"
 
-/// The strict reader of surface files and of the files of all claims, version 1. docs/format.md is the specification.
+/// The strict reader of surface files and of the files of all claims, version 1, and their writer. docs/format.md is the
+/// specification.
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
 /// index written as 1.0, a binary64 that overflows, text after the document, an index out of range, a word whose sides
 /// do not compose. No input crashes the reader; time and memory are bounded by a multiple of the size of the file.
+///
+/// The writer is not trusted: the checker reads its output. Its text is canonical: one row per line, every number as
+/// short as possible. So equal documents give equal bytes, and what is read from them equals the document. O(size),
+/// buffered. Errors are reported by the state of the stream.
 namespace epsnet::certify {
 
 /// The contents are not a file of the requested kind.
@@ -75,5 +81,17 @@ template <class Contents>
   parse_file_into(&contents, bytes, name);
   return contents;
 }
+
+
+// The writer.
+
+/// Writes a file, of a geodesics document the members that its claim has.
+void write_file(const AnyClaim& document, std::ostream& out);
+/// Writes a surface file.
+void write_file(const SurfaceDocument& surface, std::ostream& out);
+
+/// Writes a compact net file, about 55 bytes per vertex. Requires: `opposite` is an involution without fixed points.
+/// Otherwise throws std::invalid_argument before anything is written, and only write_file can write the document.
+void write_compact_net(const NetDocument& document, std::ostream& out);
 
 }  // namespace epsnet::certify
