@@ -13,8 +13,8 @@
 #include "certify/base/error.h"
 #include "certify/documents.h"
 
-/// The strict reader of surface files and of the files of all claims, version 1, and their writer. docs/format.md is the
-/// specification.
+/// The strict reader of surface files and of the files of all claims, version 1, and their writer. docs/format.md is
+/// the specification.
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
 /// index written as 1.0, a binary64 that overflows, text after the document, an index out of range, a word whose sides
@@ -81,7 +81,6 @@ template <class Contents>
   parse_file_into(&contents, bytes, name);
   return contents;
 }
-
 
 // The writer.
 
