@@ -35,10 +35,11 @@ struct Map {
   std::vector<std::size_t> element;
 };
 
-/// The triangulation that is cut into cells: of each dart the vertex where it starts, and of each vertex its point.
+/// The triangulation that is cut into cells: of each dart the vertex where it starts, and of each vertex a motion of 0
+/// to its point.
 struct Base : Map {
   std::vector<Index> start;
-  std::vector<Vector> point;
+  std::vector<Motion> frame;
 };
 
 template <class Number>
@@ -175,11 +176,21 @@ Vector unit_vector(const Point<R>& z) {
   return {quotient(2 * z.n.re * z.m), quotient(2 * z.n.im * z.m), quotient(z.m * z.m + norm(z.n))};
 }
 
-/// The image of a unit vector: with w = x + iy, of (a²w + b²w̄ + 2abt, (|a|² + |b|²)t + 2 Re(ab̄w)).
-Vector moved(const Motion& g, const Vector& p) {
-  const Complex<Interval> w{p[0], p[1]};
-  const Complex<Interval> z = g.a * g.a * w + Interval(2 * p[2]) * (g.a * g.b) + g.b * g.b * conjugate(w);
-  return {z.re, z.im, (norm(g.a) + norm(g.b)) * p[2] + 2 * (g.a * conjugate(g.b) * w).re};
+/// cosh of the distance of 0 from its image.
+Interval cosh_of(const Motion& g) { return norm(g.a) + norm(g.b); }
+/// The image of 0.
+Vector place(const Motion& g) {
+  const Complex<Interval> z = g.a * g.b;
+  return {2 * z.re, 2 * z.im, cosh_of(g)};
+}
+
+/// The translation of 0 to the midpoint of 0 and its image: g is a rotation, and then the translation by (|a|, ab/|a|).
+Motion half_of(const Motion& g) {
+  const Interval a = sqrt(norm(g.a));
+  const Interval cosh_of_quarter = sqrt((a + 1) / 2);
+  const Interval scale = 1 / (2 * cosh_of_quarter * a);
+  const Complex<Interval> ab = g.a * g.b;
+  return {{cosh_of_quarter, 0}, {scale * ab.re, scale * ab.im}};
 }
 
 Interval cosh_distance(const Vector& p, const Vector& q) { return p[2] * q[2] - p[0] * q[0] - p[1] * q[1]; }
@@ -328,7 +339,7 @@ class BoundRules {
                      number(kMaxSteps)};
     static_cast<Map&>(base_) = maps_[0];
     base_.start.resize(net_.darts());
-    base_.point.push_back(unit_vector(point<R>(net_.net().vertices[0].z)));
+    base_.frame.push_back(enclose(translation_to(point<R>(net_.net().vertices[0].z))));
     for (const Index step : document_.base) {
       if (step % 2 == 0) {
         flip_base(step / 2);
@@ -371,10 +382,8 @@ class BoundRules {
     constexpr std::size_t one = Elements<R>::kIdentity;
     const std::size_t to_c = element(from_c).inverse;
     const std::size_t from_x = element(to_x).inverse;
-    const Vector& from = base_.point[a];
-    const Vector to = moved(element(to_b).motion, base_.point[b]);
-    base_.point.push_back(midpoint(from, to, sqrt((cosh_distance(from, to) + 1) / 2)));
-    const auto m = static_cast<Index>(base_.point.size() - 1);
+    base_.frame.push_back(compose(base_.frame[a], half_of(along(d, b))));
+    const auto m = static_cast<Index>(base_.frame.size() - 1);
     base_.opposite.resize(max + 3);
     base_.start.resize(max + 3);
     base_.element.resize(max + 3);
@@ -435,11 +444,21 @@ class BoundRules {
     spend(elements_->work() - before);
   }
 
+  /// From the place of the start of a dart of the base to that of its end, vertex b: the motion of the start, undone,
+  /// after the element after that of the end. A frame is a product of such motions of edges that are halves of halves,
+  /// and never depends on flips; so it is known well also where it is far from 0.
+  [[nodiscard]] Motion along(Index dart, Index b) const {
+    const Motion& from = base_.frame[base_.start[dart]];
+    return compose(inverse(from), compose(element(base_.element[dart]).motion, base_.frame[b]));
+  }
+
   /// The triangle of the base with this dart as the first.
   Cell triangle(Index dart) {
-    const auto corner = [&](Index d) -> const Vector& { return base_.point[base_.start[d]]; };
-    return cell_of({corner(dart), moved(element(base_.element[dart]).motion, corner(dart + 1)),
-                    moved(inverse(element(base_.element[dart + 2]).motion), corner(dart + 2))});
+    std::array<Motion, 3> side;
+    for (Index i = 0; i < 3; ++i) side[i] = along(dart + i, base_.start[dart + (i + 1) % 3]);
+    const Motion& first = base_.frame[base_.start[dart]];
+    return {{place(first), place(compose(first, side[0])), place(compose(first, inverse(side[2])))},
+            {cosh_of(side[0]), cosh_of(side[1]), cosh_of(side[2])}};
   }
 
   static Cell cell_of(std::array<Vector, 3> corners) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/exact/checker.h"
 #include "certify/file/file.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distances.h"
@@ -259,6 +260,17 @@ TEST(Bound, IsVerifiedForThinSurfacesAndForGenus3To5) {
     // The radius of an embedded disk is at most the diameter of the surface.
     EXPECT_LE(disk.value.lower, wide.value.upper);
   }
+}
+
+/// Edges of its net are 23 long, and hundreds of flips and splits lead to a base whose edges are 2 long.
+TEST(Bound, OfGenus10IsVerifiedByBothCheckers) {
+  const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(10, 1), 1));
+  const BoundDocument document = unproved::diameter(surface, {.width = 0.1});
+  EXPECT_EQ(verdict(document), "VERIFIED");
+  std::ostringstream text;
+  certify::write_file(document, text);
+  const exact::Result second = exact::check(text.str());
+  EXPECT_EQ(second.verdict, exact::Verdict::verified) << second.message;
 }
 
 /// An embedded disk of radius r has the area 2π(cosh r − 1), the surface 4π(g − 1); and Bavard's bound is less.
