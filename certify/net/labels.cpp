@@ -293,8 +293,8 @@ std::vector<BallIsometry> LabelEvaluator::multiplied(std::span<const std::uint32
   for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
     const auto& [from, to, path] = label_at(numbers[i]);
     const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, precision); };
-    const auto crossing = [&, &path = path](std::size_t k) -> const BallIsometry& {
-      return crossings[place_of(path[k], sides)];
+    const auto crossing = [&, &way = path](std::size_t k) -> const BallIsometry& {
+      return crossings[place_of(way[k], sides)];
     };
     results[i] = frames[place_of(from, charts)];
     if (!path.empty()) results[i] = composed(compose_range(0, path.size(), crossing, composed), results[i]);
