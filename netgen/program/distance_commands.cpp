@@ -484,9 +484,10 @@ void measure_eccentricity(const EccentricityRequest& request) {
   const auto [net, certificate] = eccentricity_net(input.surface, parse_point("P", request.p, input));
   const Where found = where(net, true);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of_eccentricity(net));
-  write_outputs({{request.output, [&, &document = net](std::ostream& out) { write_net_file(document, request.output, out); }},
-                 ends_file(request.ends, found),
-                 {request.svg, [&](std::ostream& out) { out << svg; }}});
+  write_outputs(
+      {{request.output, [&, &document = net](std::ostream& out) { write_net_file(document, request.output, out); }},
+       ends_file(request.ends, found),
+       {request.svg, [&](std::ostream& out) { out << svg; }}});
   const certify::Interval value = certificate.enclosures->largest_circumradius;
   Report report = verified_report();
   report.text += "eccentricity: " + to_string(value) + '\n';
