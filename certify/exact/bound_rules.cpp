@@ -26,6 +26,8 @@ constexpr std::size_t kMaxDarts = 25'000'000;
 /// Values that take as long as one to all digits, and as the functions of a triangle, for each of its darts.
 constexpr std::size_t kAllDigits = 20;
 constexpr std::size_t kFunctions = 5;
+/// Values that take as long as the motions of one step.
+constexpr std::size_t kMotions = 100;
 /// Steps that make the base: some 100 MB.
 constexpr std::size_t kMaxSteps = 100'000;
 
@@ -127,7 +129,6 @@ class Elements {
     RoughPlace rest = rounded(place);
     double left = apart(rest, rounded(vertex_)).upper();
     constexpr int kMostEdges = 1000;
-    constexpr std::size_t kMotions = 100;  // What the motions of a step cost.
     for (int edges = 0; edges < kMostEdges; ++edges) {
       const Along* nearest = nullptr;
       for (const Along& dart : along_) {
@@ -178,8 +179,8 @@ Vector unit_vector(const Point<R>& z) {
 
 /// cosh of the distance of 0 from its image.
 Interval cosh_of(const Motion& g) { return norm(g.a) + norm(g.b); }
-/// The image of 0.
-Vector place(const Motion& g) {
+/// The vector of the image of 0.
+Vector vector_of(const Motion& g) {
   const Complex<Interval> z = g.a * g.b;
   return {2 * z.re, 2 * z.im, cosh_of(g)};
 }
@@ -444,10 +445,10 @@ class BoundRules {
     spend(elements_->work() - before);
   }
 
-  /// From the place of the start of a dart of the base to that of its end, vertex b: the motion of the start, undone,
-  /// after the element after that of the end. A frame is a product of such motions of edges that are halves of halves,
-  /// and never depends on flips; so it is known well also where it is far from 0.
-  [[nodiscard]] Motion along(Index dart, Index b) const {
+  /// f_a⁻¹gf_b for a dart of the base from vertex a to vertex b with the element g (docs/proof.md, section 15). Frames
+  /// are products of halves of such motions, and do not depend on flips: so they are known well also far from 0.
+  [[nodiscard]] Motion along(Index dart, Index b) {
+    spend(kMotions);
     const Motion& from = base_.frame[base_.start[dart]];
     return compose(inverse(from), compose(element(base_.element[dart]).motion, base_.frame[b]));
   }
@@ -457,7 +458,7 @@ class BoundRules {
     std::array<Motion, 3> side;
     for (Index i = 0; i < 3; ++i) side[i] = along(dart + i, base_.start[dart + (i + 1) % 3]);
     const Motion& first = base_.frame[base_.start[dart]];
-    return {{place(first), place(compose(first, side[0])), place(compose(first, inverse(side[2])))},
+    return {{vector_of(first), vector_of(compose(first, side[0])), vector_of(compose(first, inverse(side[2])))},
             {cosh_of(side[0]), cosh_of(side[1]), cosh_of(side[2])}};
   }
 

@@ -1236,6 +1236,18 @@ def bound_of_many_cells():
 
 
 @kind
+def bound_of_many_splits():
+    """A base of 90,000 splits, one side again and again, so that its triangles get ever smaller; all are bounded."""
+    with open(os.path.join(data, "bounds", "octagon-diameter-base.json")) as file:
+        result = json.load(file)
+    splits = 90_000
+    result["base"] = [1] * splits
+    result["cells"] = [[3]] * (len(result["net"]["triangles"]) + 2 * splits)
+    result["value"][1] = 900.0
+    return result
+
+
+@kind
 def thick_thin_without_its_shortest_geodesic():
     """Of length 10⁻²⁵: its powers take a vertex to lifts that are all in one place."""
     result = geodesics("one-cuff-of-1e-25")

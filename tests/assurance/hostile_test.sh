@@ -100,6 +100,7 @@ expect pants-nested-deeply MALFORMED
 expect distance-of-many-paths ''
 expect bound-of-many-triangulations ''
 expect bound-of-many-cells ''
+expect bound-of-many-splits ''
 expect bound-of-a-domain-of-many-sides 'UNDECIDED: isometries'
 expect bound-of-a-domain-along-a-long-path 'UNDECIDED: isometries'
 expect bound-of-far-elements 'REFUTED: cells'

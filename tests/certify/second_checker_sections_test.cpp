@@ -702,6 +702,7 @@ TEST(Boxes, HaveAStepForEachSideAndAHeightForEachVertex) {
   };
   EXPECT_EQ(with_step(1'000'000), "REFUTED: enclosures");
   EXPECT_EQ(with_step(1'000'001), "MALFORMED");
+  EXPECT_EQ(with_step(-1'000'001), "MALFORMED");
   for (std::uint32_t s = 0; s < 8; ++s) {
     for (const std::int64_t step : {1'000'001, -1'000'001})
       EXPECT_EQ(changed_box([&](auto& b) { b.directions[2].steps[s] = step; }), "MALFORMED") << s;
