@@ -40,7 +40,8 @@ inline constexpr Limits kMostLimits{.lifts = 10'000'000, .lifts_under_isometries
 /// for lists of geodesics, and for eigenvalues. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text, const Limits& limits = kUsualLimits);
 
-/// Whether the text is a surface file, well-formed and no more: such a file claims nothing, so there is no verdict.
-[[nodiscard]] bool is_surface_file(std::string_view text);
+/// Why the text claims nothing, if it is a well-formed surface file, or begins as another kind of file that epsnet
+/// writes and that claims nothing, as pictures and meshes. Else empty: then a verdict is asked.
+[[nodiscard]] std::string why_no_claim(std::string_view text);
 
 }  // namespace epsnet::exact

@@ -19,9 +19,9 @@ constexpr const char* kUsage =
     "comparison or curves file: a second opinion beside certify, by integers and MPFR.\n"
     "FILE is read completely; - is standard input. Example: certify-exact net.json\n\n"
     "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or\n"
-    "MALFORMED: why; of a surface file NO CLAIM, and what to do with it.\n"
+    "MALFORMED: why; of a file that claims nothing, as one of a surface, NO CLAIM: why.\n"
     "Exit codes: 0 verified, or --help, 1 refuted, 2 undecided, 3 malformed file,\n"
-    "5 a surface file, 64 usage, 70 internal fault.\n";
+    "5 no claim, 64 usage, 70 internal fault.\n";
 
 }  // namespace
 
@@ -43,11 +43,12 @@ int main(int argc, char** argv) try {
     return kExitUsage;
   }
   const epsnet::exact::Result result = epsnet::exact::check(text);
-  if (result.verdict == epsnet::exact::Verdict::malformed && epsnet::exact::is_surface_file(text)) {
-    std::cout << "NO CLAIM: this is a surface file, which claims nothing; "
-                 "epsnet net FILE --epsilon 0.1 -o net.json makes a net of it"
-              << std::endl;
-    return std::cout ? kExitNoClaim : kExitInternal;
+  if (result.verdict == epsnet::exact::Verdict::malformed) {
+    const std::string why = epsnet::exact::why_no_claim(text);
+    if (!why.empty()) {
+      std::cout << "NO CLAIM: " << why << std::endl;
+      return std::cout ? kExitNoClaim : kExitInternal;
+    }
   }
   constexpr const char* kNames[] = {"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
   const auto code = static_cast<int>(result.verdict);

@@ -143,17 +143,50 @@ std::string without_name(const std::exception& error, const FileReport& report) 
   return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
 }
 
-/// Whether the file says that it is one of a surface.
-bool is_named_surface(std::string_view bytes) {
-  ByteStream stream(bytes);
-  return format_of(stream) == "epsnet-surface";
+constexpr std::string_view kSurface = "a surface file";
+
+/// What a file is that epsnet writes and that claims nothing, by its beginning; empty for all others.
+std::string_view kind_without_claim(std::string_view beginning) {
+  using Kinds = std::pair<std::string_view, std::string_view>;
+  static constexpr Kinds kFormats[] = {{"epsnet-surface", kSurface},
+                                       {"epsnet-dirichlet", "a Dirichlet domain"},
+                                       {"epsnet-matrices", "a file of matrices"},
+                                       {"epsnet-mesh", "a mesh"}};
+  static constexpr Kinds kBeginnings[] = {{"<svg", "an SVG picture"},
+                                          {"\x89PNG", "a PNG picture"},
+                                          {"<!DOCTYPE html", "an HTML page"},
+                                          {"OFF\n", "a mesh"},
+                                          {"<?xml", "a file of XML, such as VTU"},
+                                          {"$MeshFormat", "a mesh"},
+                                          {"MeshVersionFormatted", "a mesh"},
+                                          {"MFEM mesh", "a mesh"},
+                                          {"%%MatrixMarket", "a MatrixMarket matrix"},
+                                          {"\x93NUMPY", "a NumPy array"}};
+  ByteStream stream(beginning);
+  const std::optional<std::string> format = format_of(stream);
+  for (const auto& [name, kind] : kFormats) {
+    if (format == name) return kind;
+  }
+  for (const auto& [bytes, kind] : kBeginnings) {
+    if (beginning.starts_with(bytes)) return kind;
+  }
+  const std::size_t digits = std::min(beginning.find_first_not_of("0123456789"), beginning.size());
+  const bool is_number = digits > 0 && digits < beginning.size() &&
+                         std::string_view(" \t\n\r").find(beginning[digits]) != std::string_view::npos;
+  return is_number ? "a text of numbers, as of CGAL" : "";
 }
 
-/// What is said of such a file: that it claims nothing, or what is wrong with it.
-FileReport surface_report(FileReport report, std::string_view bytes) {
+/// What is said of a file of such a kind. A surface file is read as what it is: it may be malformed.
+FileReport report_without_claim(FileReport report, std::string_view kind, std::string_view bytes) {
+  if (kind != kSurface) {
+    report.no_claim = "by its beginning this is " + std::string(kind) +
+                      ", which claims nothing; what epsnet's commands write as nets and answers does";
+    return report;
+  }
   try {
     (void)parse_file<SurfaceDocument>(bytes, report.name);
-    report.is_surface = true;
+    report.no_claim =
+        "this is a surface file, which claims nothing; epsnet net FILE --epsilon 0.1 -o net.json makes a net of it";
   } catch (const MalformedError& error) {
     report.certificate = malformed(without_name(error, report));
   }
@@ -166,11 +199,11 @@ FileReport check_bytes(const Request& request, const std::string& path) {
   std::string bytes;  // Kept for the second checker, if it may be asked about them, and those of a surface file.
   bool seen = false;
   bool kept = true;
-  bool is_surface = false;  // By its beginning: then it is read again, as what it is.
+  std::string_view kind;  // Of files that claim nothing; those of surfaces are read again.
   const auto witness = [&](std::string_view piece) {
-    if (!std::exchange(seen, true)) is_surface = is_named_surface(piece);
+    if (!std::exchange(seen, true)) kind = kind_without_claim(piece);
     sum.add(piece);
-    kept = kept && (request.exact || is_surface || bytes.size() + piece.size() <= kBytesCheckedTwice);
+    kept = kept && (request.exact || kind == kSurface || bytes.size() + piece.size() <= kBytesCheckedTwice);
     if (kept) {
       bytes += piece;
     } else {
@@ -190,7 +223,7 @@ FileReport check_bytes(const Request& request, const std::string& path) {
     return report;
   } catch (const MalformedError& error) {
     if (seen) report.sha256 = sum.text();
-    if (is_surface) return surface_report(std::move(report), bytes);
+    if (!kind.empty()) return report_without_claim(std::move(report), kind, bytes);
     report.certificate = malformed(without_name(error, report));
     ask_about_malformed();
     return report;

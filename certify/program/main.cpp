@@ -132,7 +132,8 @@ void add_options(CLI::App& app, Request& request) {
       "  certify net.json && echo 'this is an epsilon-net'\n"
       "  certify results/*.json\n\n"
       "The last line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why,\n"
-      "or MALFORMED: why; of a surface file NO CLAIM, and what to do with it.\n"
+      "or MALFORMED: why; of a file that claims nothing, as one of a surface,\n"
+      "NO CLAIM: why.\n"
       "Of several files it is VERIFIED if all of them are; else it names the first that\n"
       "is not, and the exit code is that file's. The line sha256 identifies the bytes\n"
       "that were checked.\n"
@@ -141,7 +142,7 @@ void add_options(CLI::App& app, Request& request) {
       "asked, the line verified by who verified the file. If one verifies what the\n"
       "other refutes, the verdict is UNDECIDED: the two checkers disagree.\n"
       "Exit codes: 0 verified, or --help or --version, 1 refuted, 2 undecided,\n"
-      "3 malformed file, 4 the two checkers disagree, 5 a surface file,\n"
+      "3 malformed file, 4 the two checkers disagree, 5 no claim,\n"
       "64 usage or a file that cannot be read, 70 the machine failed\n"
       "(memory, output that cannot be written), 71 a fault of this program: no verdict,\n"
       "please report it.");
@@ -197,7 +198,8 @@ int check_files(const Request& request) {
     separator = "\n";
     const FileReport report = check_file(request, path);
     const int own_code = exit_code(report);
-    const bool named = report.is_surface || (report.error.empty() && report.certificate.verdict == Verdict::malformed);
+    const bool named =
+        !report.no_claim.empty() || (report.error.empty() && report.certificate.verdict == Verdict::malformed);
     if (own_code == kExitVerified) ++verified;
     if (code == kExitVerified && own_code != kExitVerified) {
       code = own_code;

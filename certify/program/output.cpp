@@ -1,5 +1,6 @@
 #include "certify/program/output.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string_view>
@@ -57,9 +58,6 @@ Certificate agreed(Certificate first, const SecondOpinion& second) {
 
 namespace {
 
-constexpr const char* kNoClaim =
-    "this is a surface file, which claims nothing; epsnet net FILE --epsilon 0.1 -o net.json makes a net of it";
-
 int exit_code(Verdict verdict) {
   switch (verdict) {
     case Verdict::verified:
@@ -114,7 +112,7 @@ void visit_geodesics_counts(const GeodesicsCounts& c, const Visit& visit) {
 
 /// The checkers that verified the claim; none, unless that is the verdict.
 std::vector<const char*> verified_by(const FileReport& report) {
-  if (report.is_surface || report.certificate.verdict != Verdict::verified) return {};
+  if (!report.no_claim.empty() || report.certificate.verdict != Verdict::verified) return {};
   if (report.second && report.second->verdict == Verdict::verified) return {"certify", "certify-exact"};
   return {"certify"};
 }
@@ -209,19 +207,30 @@ void add_findings(const FileReport& report, Members& members) {
 
 int exit_code(const FileReport& report) {
   if (report.fault) return kExitFault;
-  if (report.is_surface) return kExitNoClaim;
+  if (!report.no_claim.empty()) return kExitNoClaim;
   if (report.certificate.rule == kAgreement) return kExitDisagreement;
   return report.error.empty() ? exit_code(report.certificate.verdict) : kExitUsage;
 }
 
 std::string verdict_line(const FileReport& report, const std::string& place) {
-  if (report.is_surface) return "NO CLAIM: " + (place.empty() ? "" : place + ": ") + kNoClaim;
+  if (!report.no_claim.empty()) return "NO CLAIM: " + (place.empty() ? "" : place + ": ") + report.no_claim;
   if (report.error.empty()) {
     const std::string line = verdict_line(report.certificate, place);
     return line.ends_with(BudgetSpent().what()) ? line + "; --max-work allows more" : line;
   }
   return "ERROR: " + (place.empty() ? "" : place + ": ") + report.error;
 }
+
+namespace {
+
+/// A key as it is read aloud.
+std::string label(std::string_view key) {
+  std::string words(key);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+}  // namespace
 
 std::string as_text(const FileReport& report) {
   const Certificate& certificate = report.certificate;
@@ -230,11 +239,11 @@ std::string as_text(const FileReport& report) {
     out << to_string(rule) << '\n';
   }
   if (report.is_claim) {
-    const auto line = [&](const char* key, std::uint64_t value) { out << key << ": " << value << '\n'; };
+    const auto line = [&](const char* key, std::uint64_t value) { out << label(key) << ": " << value << '\n'; };
     visit_counts(certificate.counts, line);
     if (certificate.enclosures) {
       visit_enclosures(*certificate.enclosures,
-                       [&](const char* key, Interval value) { out << key << ": " << to_string(value) << '\n'; });
+                       [&](const char* key, Interval value) { out << label(key) << ": " << to_string(value) << '\n'; });
     }
     if (certificate.geodesics) visit_geodesics_counts(*certificate.geodesics, line);
   }
@@ -247,12 +256,12 @@ std::string as_text(const FileReport& report) {
 std::string as_json(const FileReport& report) {
   const Certificate& certificate = report.certificate;
   Members members;
-  const bool has_verdict = report.error.empty() && !report.is_surface;
+  const bool has_verdict = report.error.empty() && report.no_claim.empty();
   members.add("verdict", has_verdict ? json_string(name(certificate.verdict)) : "null");
   members.add("file", json_string(report.path));
-  if (report.is_surface) {
+  if (!report.no_claim.empty()) {
     members.add("sha256", json_string(report.sha256));
-    members.add("no_claim", json_string(kNoClaim));
+    members.add("no_claim", json_string(report.no_claim));
   } else if (has_verdict) {
     if (!report.sha256.empty()) members.add("sha256", json_string(report.sha256));
     members.add("rule", json_string(certificate.rule));

@@ -47,7 +47,7 @@ inline constexpr int kExitRefuted = 1;
 inline constexpr int kExitUndecided = 2;
 inline constexpr int kExitMalformed = 3;
 inline constexpr int kExitDisagreement = 4;  ///< The two checkers contradict each other.
-inline constexpr int kExitNoClaim = 5;       ///< A file of a surface, which claims nothing.
+inline constexpr int kExitNoClaim = 5;       ///< A file of a kind that claims nothing, as of a surface.
 inline constexpr int kExitUsage = 64;
 inline constexpr int kExitInternal = 70;  ///< The machine failed: memory, a crash, output that cannot be written.
 inline constexpr int kExitFault = 71;     ///< The checker found itself to be wrong (Fault).
@@ -59,7 +59,7 @@ struct FileReport {
   std::string sha256 = {};                   ///< Of the bytes that were read; empty if none could be.
   std::string error = {};                    ///< Why there is no verdict; the certificate says nothing then.
   bool fault = false;                        ///< The error is a fault of this program; else it could not be read.
-  bool is_surface = false;                   ///< A file of a surface; the certificate says nothing then.
+  std::string no_claim = {};                 ///< Why the file claims nothing; the certificate says nothing then.
   bool is_claim = false;                     ///< Whether it was understood, so that there is something to count.
   Certificate certificate = {};              ///< Of both checkers. Its message begins without the file's name.
   std::optional<SecondOpinion> second = {};  ///< Absent if the second checker was not asked.

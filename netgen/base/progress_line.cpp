@@ -9,7 +9,6 @@ namespace epsnet {
 namespace {
 
 constexpr std::chrono::milliseconds kOnTerminal{200};
-constexpr std::chrono::seconds kLines{10};
 
 std::string time_text(std::chrono::seconds time) {
   const auto seconds = time.count();
@@ -55,7 +54,7 @@ void ProgressLine::run() {
   std::unique_lock lock(mutex_);
   std::size_t width = 0;
   const auto is_ended = [this] { return is_ended_; };
-  auto next = began_ + (terminal_ ? std::chrono::seconds(1) : kLines);
+  auto next = began_ + (terminal_ ? std::chrono::seconds(1) : progress_output().every);
   while (!ended_.wait_until(lock, next, is_ended)) {
     const auto elapsed = std::chrono::steady_clock::now() - began_;
     const std::string line = text_.after(std::chrono::duration_cast<std::chrono::seconds>(elapsed));
@@ -65,7 +64,7 @@ void ProgressLine::run() {
       next += kOnTerminal;
     } else {
       std::fprintf(stderr, "%s\n", line.c_str());
-      next += kLines;
+      next += progress_output().every;
     }
   }
   if (width > 0) std::fprintf(stderr, "\r%*s\r", static_cast<int>(width), "");

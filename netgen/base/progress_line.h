@@ -13,7 +13,8 @@ namespace epsnet {
 
 /// Where progress is shown.
 struct ProgressOutput {
-  bool lines = false;  ///< Without a terminal a line every ten seconds on standard error (--progress).
+  bool lines = false;  ///< Whether there are lines on standard error without a terminal (--progress),
+  std::chrono::milliseconds every = std::chrono::seconds(10);  ///< and the time from one to the next.
 };
 
 /// The output of this process, which the command line sets.

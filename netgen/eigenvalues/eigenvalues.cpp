@@ -153,7 +153,7 @@ class SharedNet {
   void report_matrices(double share = 0) {
     const std::lock_guard lock(reporting_);
     share_ = std::max(share_, share);
-    if (options_.progress) options_.progress("matrices", share_);
+    if (options_.progress) options_.progress("eigenvalues of matrices", share_);
   }
 
  private:

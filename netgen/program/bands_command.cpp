@@ -369,7 +369,10 @@ void find_lattice(const LatticeRequest& request) {
   std::vector<Rational> turns;
   if (request.phases) turns = parse_torus_point("--phases", *request.phases);
   const HermitianMatrix matrix = lattice_matrix(surface, request.nodes, turns);
-  const Report report = lattice_report(matrix, !request.output.empty() && matrix.size > kMostLatticeNodes);
+  const Report report = [&] {
+    const ProgressLine progress("eigenvalues of the matrix");
+    return lattice_report(matrix, !request.output.empty() && matrix.size > kMostLatticeNodes);
+  }();
   write_output(request.output, [&](std::ostream& out) { write_matrix_market(matrix, out); });
   write_report(report, request.json, is_stdout(request.output));
 }
@@ -397,6 +400,7 @@ void add_lattice_command(CLI::App& app, Job& chosen) {
   add_file(*command, "-o,--output", shared->output,
            "also write the matrix, for MatrixMarket (.mtx); \"-\" is standard output");
   add_json(*command, shared->json);
+  add_progress(*command);
   command->footer(
       "The matrix takes f to the sum of f over the neighbours of each node; a loop counts twice. Beyond 1500 nodes "
       "only the matrix is written. "

@@ -82,13 +82,16 @@ CLI::Option* add_file(CLI::App& command, const char* option, std::string& path, 
 void add_output(CLI::App& command, std::string& output, const char* what);
 /// Adds --json: the report as one JSON object.
 void add_json(CLI::App& command, bool& json);
-/// Adds --threads N.
+/// Adds --threads N and --progress.
 void add_threads(CLI::App& command, unsigned& threads);
+/// Adds --progress.
+void add_progress(CLI::App& command);
 /// Returns the point that --base, or another option or argument, names: "tile,x,y", or "tile": the centre of the tile.
 /// One that is outside of its tile is brought to the tile that contains it, with a line on standard error that says so.
 /// Throws UsageError if the text names no point, JobError if the surface has none there.
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& name = "--base");
-/// Returns a point as parse_base reads it, exactly.
+/// Returns a point as parse_base reads it, exactly, if that is short. Else its coordinates have 12 digits, and ", rounded"
+/// follows: where a walk led, around short curves, they may have thousands.
 [[nodiscard]] std::string point_text(const BasePoint& point);
 /// Returns the same as an object: the tile, and the coordinates as texts of rationals.
 [[nodiscard]] Json point_json(const BasePoint& point);

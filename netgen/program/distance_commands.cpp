@@ -46,8 +46,10 @@ void measure_distance(const DistanceRequest& request) {
   const SurfaceOrNet input = read_surface_or_net(request.surface);
   const BasePoint p = parse_point("P", request.p, input);
   const BasePoint q = parse_point("Q", request.q, input);
-  const certify::DistanceDocument document =
-      distance(input.surface, p, q, {.width = static_cast<double>(width.value())}).document;
+  const certify::DistanceDocument document = [&] {
+    const ProgressLine progress("distance");
+    return distance(input.surface, p, q, {.width = static_cast<double>(width.value())}).document;
+  }();
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
@@ -99,6 +101,7 @@ void add_distance_command(CLI::App& app, Job& chosen) {
                    "the largest width of the enclosure, which is as narrow as binary64 allows; an error if it is wider")
       ->option_text("W [1e-12]");
   add_json(*command, request.json);
+  add_progress(*command);
   command->footer(
       "Example:\n  epsnet distance s.json 0,0.1,-1/3 1,0,0\n  epsnet distance net.json v0 v17 -o d.json && certify "
       "d.json");
@@ -176,7 +179,7 @@ certify::Certificate triangulation_certificate(const DistancesRequest& request, 
   ProgressLine progress;
   certify::CheckOptions options;
   options.threads = request.threads;
-  options.progress = progress.shower("certificate: ");
+  options.progress = progress.shower("certificate: rule ");
   certify::Certificate certificate = certify::check(net, options);
   for (const char* rule : {"surface", "map", "gluing", "orientation"}) {
     const bool holds =
@@ -311,7 +314,10 @@ void locate_points(const LocateRequest& request) {
   const certify::NetDocument net = read_net_input(request.net);
   const SurfaceOrNet input{from_document(net.surface), net};
   const std::vector<LineText> points = points_of(request);
-  Locator locator(net);
+  Locator locator = [&] {
+    const ProgressLine progress("laying out the net");
+    return Locator(net);
+  }();
   Report report;
   report.json["points"] = Json::array();
   for (const LineText& point : points) {
@@ -341,6 +347,7 @@ void add_locate_command(CLI::App& app, Job& chosen) {
   add_file(*command, "--points", request.file,
            "also the points of this file, one per line; # begins a comment; \"-\" is standard input");
   add_json(*command, request.json);
+  add_progress(*command);
   command->footer(
       "For each point: a triangle that contains it, and whether it is on a side or a corner, decided exactly; "
       "its weights on the corners, as tN:A,B,C takes them; the nearest corner, rounded; and the lift: the sides "
@@ -378,6 +385,7 @@ Where where(const certify::NetDocument& net, bool with_farthest) {
   Where result{point_of_vertex(surface, net, 0)};
   if (!with_farthest) return result;
   try {
+    const ProgressLine progress("points farthest from p");
     const DirichletPolygon domain = dirichlet_polygon(surface, result.p);
     result.farthest = farthest_points(surface, domain);
     result.distance = distance(surface, result.p, domain, result.farthest.front()).document;
@@ -389,7 +397,7 @@ Where where(const certify::NetDocument& net, bool with_farthest) {
   return result;
 }
 
-/// p is exact, q is rounded to multiples of 2⁻¹⁰⁰; everything else is an interval.
+/// In JSON p is exact and q is rounded to multiples of 2⁻¹⁰⁰; everything else is an interval.
 void add_where(Report& report, const Where& where) {
   report.text += "p: " + point_text(where.p) + '\n';
   report.json["p"] = point_json(where.p);
@@ -463,7 +471,8 @@ void add_bound_command(CLI::App& app, Job& chosen, const char* name, const char*
   add_file(*command, "--svg", shared->svg, "also draw where the bound is attained; \"-\" is standard output");
   add_json(*command, shared->json);
   command->footer(std::string("Example:\n  epsnet ") + name +
-                  " s.json --width 1e-3 -o bound.json && certify bound.json");
+                  " s.json --width 1e-3 -o bound.json && certify bound.json\n\n"
+                  "The points that are printed have 12 digits; those of --json are exact.");
   command->callback([&chosen, shared, make] { chosen = [shared, make] { enclose(*shared, make); }; });
 }
 
@@ -481,7 +490,11 @@ void measure_eccentricity(const EccentricityRequest& request) {
                                                {"--ends", request.ends, FileType::json},
                                                {"--svg", request.svg, FileType::svg}});
   const SurfaceOrNet input = read_surface_or_net(request.surface);
-  const auto [net, certificate] = eccentricity_net(input.surface, parse_point("P", request.p, input));
+  const BasePoint p = parse_point("P", request.p, input);
+  const auto [net, certificate] = [&] {
+    const ProgressLine progress("eccentricity");
+    return eccentricity_net(input.surface, p);
+  }();
   const Where found = where(net, true);
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of_eccentricity(net));
   write_outputs(
@@ -525,6 +538,7 @@ void add_eccentricity_command(CLI::App& app, Job& chosen) {
   add_ends(*command, shared->ends);
   add_file(*command, "--svg", shared->svg, "also draw P and the points farthest from it; \"-\" is standard output");
   add_json(*command, shared->json);
+  add_progress(*command);
   command->footer("Example:\n  epsnet eccentricity s.json 0,0.1,-1/3\n  epsnet eccentricity net.json v17");
   command->callback([&chosen, shared] { chosen = [shared] { measure_eccentricity(*shared); }; });
 }

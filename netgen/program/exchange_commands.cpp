@@ -42,7 +42,7 @@ Surface triangles_of(const TextInput& input) {
 
 certify::Certificate certificate_of(const certify::NetDocument& net, certify::CheckOptions options) {
   ProgressLine progress;
-  options.progress = progress.shower("certificate: ");
+  options.progress = progress.shower("certificate: rule ");
   return certify::check(net, options);
 }
 

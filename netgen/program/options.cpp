@@ -2,7 +2,9 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -69,6 +71,10 @@ CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
 
 void add_threads(CLI::App& command, unsigned& threads) {
   command.add_option("--threads", threads, "0 is one per core")->check(integer_between(0, 1024))->option_text("N [0]");
+  add_progress(command);
+}
+
+void add_progress(CLI::App& command) {
   command.add_flag("--progress", progress_output().lines,
                    "a line of progress on standard error every ten seconds, also without a terminal");
 }
@@ -139,16 +145,6 @@ BasePoint coordinates(const std::string& text, const Surface& surface, const std
                    text.substr(0, 80) + "\"");
 }
 
-/// Of a point that a walk led to: around short curves its coordinates get thousands of digits.
-std::string point_for_reader(const BasePoint& point) {
-  std::string exact = point_text(point);
-  constexpr std::size_t kLongest = 200;
-  if (exact.size() <= kLongest) return exact;
-  return to_string(point.tile) + ',' + certify::shortest(static_cast<double>(point.z.x)) + ',' +
-         certify::shortest(static_cast<double>(point.z.y)) + ", rounded: exactly, these coordinates have " +
-         std::to_string(exact.size()) + " digits";
-}
-
 }  // namespace
 
 BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& name) {
@@ -157,7 +153,7 @@ BasePoint parse_base(const std::string& text, const Surface& surface, const std:
     BasePoint result = in_its_tile(surface, point);
     if (result.tile != point.tile || result.z != point.z) {
       std::cerr << name << ": outside of tile " << to_string(point.tile) << "; the same point in its own tile is "
-                << point_for_reader(result) << '\n';
+                << point_text(result) << '\n';
     }
     return result;
   } catch (const SurfaceError& error) {
@@ -165,8 +161,22 @@ BasePoint parse_base(const std::string& text, const Surface& surface, const std:
   }
 }
 
+namespace {
+
+std::string twelve_digits(const Rational& x) {
+  std::ostringstream out;
+  out << std::setprecision(12) << static_cast<double>(x);
+  return out.str();
+}
+
+}  // namespace
+
 std::string point_text(const BasePoint& point) {
-  return to_string(point.tile) + ',' + point.z.x.str() + ',' + point.z.y.str();
+  const std::string tile = to_string(point.tile) + ',';
+  std::string exact = tile + point.z.x.str() + ',' + point.z.y.str();
+  constexpr std::size_t kLongest = 40;
+  if (exact.size() <= kLongest) return exact;
+  return tile + twelve_digits(point.z.x) + ',' + twelve_digits(point.z.y) + ", rounded";
 }
 
 Json point_json(const BasePoint& point) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "netgen/base/progress_line.h"
 #include "netgen/distances/distances.h"
 #include "netgen/lifts/info.h"
 #include "netgen/lifts/lifts.h"
@@ -282,7 +283,10 @@ void make_dirichlet(const DirichletRequest& request) {
   const SurfaceOrNet input = read_surface_or_net(request.surface);
   const std::optional<BasePoint> base =
       request.base.empty() ? std::nullopt : std::optional(parse_point("--base", request.base, input));
-  const DirichletPolygon polygon = dirichlet_polygon(input.surface, base);
+  const DirichletPolygon polygon = [&] {
+    const ProgressLine progress("Dirichlet domain");
+    return dirichlet_polygon(input.surface, base);
+  }();
   const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(polygon));
   write_outputs({{request.output, [&](std::ostream& out) { out << dirichlet_json(polygon); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
@@ -308,6 +312,7 @@ void add_dirichlet_command(CLI::App& app, Job& chosen) {
   add_output(*command, request.output, "the JSON file to write (docs/format.md)");
   add_file(*command, "--svg", request.svg, "also draw it, with its glued sides; \"-\" is standard output");
   add_json(*command, request.json);
+  add_progress(*command);
   command->footer("Example:\n  epsnet dirichlet s.json --base 0,0.1,-1/3 -o domain.json --svg domain.svg");
   command->callback([&chosen, shared] { chosen = [shared] { make_dirichlet(*shared); }; });
 }

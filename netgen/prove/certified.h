@@ -42,13 +42,13 @@ class NotCertifiedError : public NetError {
 };
 
 /// Returns how a document that was made here is checked: as `certify` checks its file without options, within the work
-/// that a file of its size may take. Progress is that of the rules, as "certificate: RULE".
+/// that a file of its size may take. Progress is that of the rules, as "certificate: rule NAME".
 [[nodiscard]] inline certify::CheckOptions own_check(unsigned threads = 0, const Progress& progress = {}) {
   certify::CheckOptions result;
   result.threads = threads;
   if (progress) {
     result.progress = [progress](std::string_view rule, double share) {
-      progress("certificate: " + std::string(rule), share);
+      progress("certificate: rule " + std::string(rule), share);
     };
   }
   return result;

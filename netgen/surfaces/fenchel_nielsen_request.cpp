@@ -158,11 +158,15 @@ std::string in_quotes(std::string_view text) {
   return "\"" + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "...\"" : "\"");
 }
 
-std::uint64_t seed_of(const FenchelNielsenRequest& request, const char* what) {
-  if (!request.seed) {
-    throw RequestError("seed", std::string("needed to draw the ") + what);
-  }
-  return *request.seed;
+/// The seed, which draws all that is not given.
+std::uint64_t seed_of(const FenchelNielsenRequest& request) {
+  if (request.seed) return *request.seed;
+  std::string missing;
+  const auto add = [&](const char* what) { missing += (missing.empty() ? "" : " and ") + std::string(what); };
+  if (request.graph.empty() || request.graph == "random") add("a pants graph");
+  if (request.lengths.empty()) add("lengths");
+  if (request.twists.empty()) add("twists");
+  throw RequestError("seed", "needed to draw " + missing + ", or give them");
 }
 
 /// Returns the result of `make`; attributes its errors to a member.
@@ -390,10 +394,9 @@ FenchelNielsen resolve(const FenchelNielsenRequest& given) {
                        "needed for these lengths and twists: chain, ring, tree, edges such as \"0-1 0-1 0-1\", or "
                        "random, with a seed");
   }
-  if (!graph) graph = PantsGraph::random(genus_of(request), seed_of(request, "pants graph"));
+  if (!graph) graph = PantsGraph::random(genus_of(request), seed_of(request));
   if (draw_lengths || draw_twists) {
-    const char* what = !draw_lengths ? "twists" : !draw_twists ? "lengths" : "lengths and twists";
-    FenchelNielsen drawn = random_coordinates(*graph, seed_of(request, what));
+    FenchelNielsen drawn = random_coordinates(*graph, seed_of(request));
     if (draw_twists) {
       twists.values = std::move(drawn.twists);
       // Twists are drawn as shares of the length.

@@ -141,6 +141,30 @@ exact() {
 $code" ] || fail "certify-exact $3: not '$line' and $code"
 }
 exact 5 "NO CLAIM: $no_claim" "$surface"
+
+# So do other files that epsnet writes, by their beginnings; with another one they are broken.
+claims_nothing() {
+  printf "$1" >"$scratch/other"
+  why="by its beginning this is $2, which claims nothing; what epsnet's commands write as nets and answers does"
+  expect 5 "NO CLAIM: \"$scratch/other\": $why" "$scratch/other"
+  exact 5 "NO CLAIM: $why" "$scratch/other"
+  printf "x$1" >"$scratch/other"
+  expect 3 "MALFORMED: \"$scratch/other\": " "$scratch/other"
+}
+claims_nothing '{"format": "epsnet-dirichlet", "version": 1, "sides": []}' "a Dirichlet domain"
+claims_nothing '{"format": "epsnet-matrices", "version": 1}' "a file of matrices"
+claims_nothing '{"format": "epsnet-mesh", "version": 1}' "a mesh"
+claims_nothing '<svg xmlns="http://www.w3.org/2000/svg"></svg>' "an SVG picture"
+claims_nothing '\211PNG\r\n' "a PNG picture"
+claims_nothing '<!DOCTYPE html>\n' "an HTML page"
+claims_nothing '<?xml version="1.0"?>\n<VTKFile>' "a file of XML, such as VTU"
+claims_nothing 'OFF\n3 1 0\n' "a mesh"
+claims_nothing '$MeshFormat\n4.1 0 8\n' "a mesh"
+claims_nothing 'MeshVersionFormatted 2\n' "a mesh"
+claims_nothing 'MFEM mesh v1.0\n' "a mesh"
+claims_nothing '%%%%MatrixMarket matrix' "a MatrixMarket matrix"
+claims_nothing '\223NUMPY\1' "a NumPy array"
+claims_nothing '2 no\n' "a text of numbers, as of CGAL"
 exact 3 "MALFORMED: unexpected value for the format" "$scratch/broken.json"
 
 # Standard input and pipes are read once.

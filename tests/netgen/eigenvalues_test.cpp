@@ -698,14 +698,14 @@ TEST(Eigenvalues, ProgressIsReportedAndNeverGoesBack) {
       }
       at->second = share;
     }
-    EXPECT_TRUE(last.contains("matrices"));
+    EXPECT_TRUE(last.contains("eigenvalues of matrices"));
     EXPECT_EQ(last.contains("eigenfunctions"), digits == 3);
   }
 }
 
 TEST(Eigenvalues, AreCancelledByAnException) {
-  EXPECT_FALSE(reports_of({.count = 1, .digits = 2}, "matrices").empty());
-  EXPECT_FALSE(reports_of({.below = 1}, "matrices").empty());
+  EXPECT_FALSE(reports_of({.count = 1, .digits = 2}, "eigenvalues of matrices").empty());
+  EXPECT_FALSE(reports_of({.below = 1}, "eigenvalues of matrices").empty());
   EXPECT_FALSE(reports_of({.count = 2, .digits = 3}, "eigenfunctions").empty());
 }
 

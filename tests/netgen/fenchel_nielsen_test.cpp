@@ -485,7 +485,10 @@ TEST(FenchelNielsenRequest, BadOnesAreNamed) {
   expect_request_error(R"({"genus": })", "expected genus: an integer, not \"}\"");
   expect_request_error(R"({"genus": 2, "seed" 1})", "not JSON");
   expect_request_error(R"({"genus": 2, "lengths": [1 2]})", "not JSON");
-  expect_request_error(R"({"genus": 2})", "seed: needed");
+  expect_request_error(R"({"genus": 2})", "seed: needed to draw a pants graph and lengths and twists, or give them");
+  expect_request_error(R"({"genus": 2, "lengths": [1, 2, 3]})", "seed: needed to draw a pants graph and twists, or");
+  expect_request_error(R"({"graph": "theta", "lengths": [1, 2, 3]})", "seed: needed to draw twists, or give them");
+  expect_request_error(R"({"graph": "theta", "twists": [1, 2, 3]})", "seed: needed to draw lengths, or give them");
   expect_request_error(R"({"seed": 2})", "genus: needed");
   expect_request_error(R"({"genus": 3, "graph": "0-1 0-1 0-1", "seed": 1})", "the pants graph has genus 2");
   expect_request_error(R"({"graph": "star", "genus": 2})", "expected chain, ring, tree, theta, random");

@@ -1,8 +1,10 @@
 #include "netgen/base/progress_line.h"
 
 #include <chrono>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
+#include <thread>
 
 namespace epsnet::progress_line_test {
 namespace {
@@ -27,6 +29,23 @@ TEST(ProgressText, AShareThatFellIsNotShownAgain) {
   EXPECT_EQ(text.after(seconds(5)), "second, 5 s");
   text.set("second", 0.95);
   EXPECT_EQ(text.after(seconds(6)), "second, 6 s");
+}
+
+TEST(ProgressLine, HasLinesWithoutATerminalIfTheyAreAskedFor) {
+  const auto lines_of = [](bool asked) {
+    progress_output() = {.lines = asked, .every = std::chrono::milliseconds(1)};
+    testing::internal::CaptureStderr();
+    {
+      ProgressLine line("nothing");
+      const Progress show = line.shower("something: ");
+      show("the whole", 0.5);
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    }
+    progress_output() = {};
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_THAT(lines_of(true), testing::HasSubstr("something: the whole, 50 %, 0 s\n"));
+  EXPECT_EQ(lines_of(false), "");
 }
 
 TEST(ProgressLine, EndsAtOnce) {

@@ -56,8 +56,8 @@ TEST(Prove, ProgressNamesTheCertificateAndCancels) {
   const GeodesicsDocument document = unproved::spectrum(random_octagon(5), Length("5"));
   std::vector<std::string> told;
   (void)proved(document, 1, [&](std::string_view what, double) { told.emplace_back(what); });
-  EXPECT_THAT(told, testing::Each(testing::StartsWith("certificate: ")));
-  EXPECT_THAT(told, testing::Contains("certificate: complete"));
+  EXPECT_THAT(told, testing::Each(testing::StartsWith("certificate: rule ")));
+  EXPECT_THAT(told, testing::Contains("certificate: rule complete"));
   EXPECT_THROW((void)proved(document, 1, [](std::string_view, double) { throw Cancelled(); }), Cancelled);
 }
 

@@ -237,7 +237,7 @@ std::string json_of(const certify::program::FileReport& report) {
 
 std::string text_of(const certify::program::FileReport& report) {
   const bool named =
-      report.is_surface || (report.error.empty() && report.certificate.verdict == certify::Verdict::malformed);
+      !report.no_claim.empty() || (report.error.empty() && report.certificate.verdict == certify::Verdict::malformed);
   return as_text(report) + verdict_line(report, named ? report.name : "") + '\n';
 }
 
