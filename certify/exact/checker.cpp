@@ -151,8 +151,7 @@ std::string why_no_claim(std::string_view text) {
       return "this is a surface file, which claims nothing; epsnet net FILE --epsilon 0.1 -o net.json makes a net of "
              "it";
     }
-    return "by its beginning this is " + kind +
-           ", which claims nothing; what epsnet's commands write as nets and answers does";
+    return "this begins as " + kind + ", which claims nothing; files of nets and of answers do";
   } catch (const Malformed&) {
     return "";
   }

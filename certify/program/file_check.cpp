@@ -179,8 +179,7 @@ std::string_view kind_without_claim(std::string_view beginning) {
 /// What is said of a file of such a kind. A surface file is read as what it is: it may be malformed.
 FileReport report_without_claim(FileReport report, std::string_view kind, std::string_view bytes) {
   if (kind != kSurface) {
-    report.no_claim = "by its beginning this is " + std::string(kind) +
-                      ", which claims nothing; what epsnet's commands write as nets and answers does";
+    report.no_claim = "this begins as " + std::string(kind) + ", which claims nothing; files of nets and of answers do";
     return report;
   }
   try {

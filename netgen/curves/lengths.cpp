@@ -2,14 +2,18 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "certify/numbers/interval_arithmetic.h"
 #include "netgen/curves/curves.h"
 #include "netgen/geodesics/geodesics.h"
+#include "netgen/isometries/lifted_tiles.h"
+#include "netgen/isometries/matches.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 
 namespace epsnet {
 namespace {
@@ -273,8 +277,7 @@ EnclosedCoordinates enclosed_coordinates(const PantsDecomposition& pants) {
   if (!pants.own) {
     throw SurfaceError(
         "its tiles are not the heptagons of Fenchel-Nielsen coordinates; surface fenchel-nielsen --from makes them of "
-        "a "
-        "pants file");
+        "a pants file");
   }
   EnclosedCoordinates result{pants.graph, {}};
   for (const PantsDecomposition::Cuff& cuff : pants.cuffs) result.values.push_back(cuff.length);
@@ -348,6 +351,96 @@ LengthDerivatives length_derivatives(const EnclosedCoordinates& coordinates, con
   }
   result.length = checked(length);
   if (!second) result.second.clear();
+  return result;
+}
+
+namespace {
+
+using Number = LiftedTiles::Number;
+
+/// The word from tile 0 to itself for one from another tile to itself.
+Word from_tile_0(const Surface& surface, const Word& word) {
+  const Word way = path_between_tiles(surface, TileId(0), surface.tile_of_side(word.front()));
+  return concatenated(surface, concatenated(surface, way, word), reversed(surface, way));
+}
+
+/// The paths of a surface in heptagons that have about its coordinates.
+class InHeptagons {
+ public:
+  InHeptagons(const Surface& surface, const PantsDecomposition& pants, unsigned threads)
+      : from_(surface),
+        to_(fenchel_nielsen_surface(pants.coordinates())),
+        own_(pants_decomposition(to_.surface(), {.threads = threads})),
+        // Elements of one pair of pants tell how the one plane lies on the other.
+        motion_(motion_of_pairs(value(from_, pants.pants[0][0]), value(from_, pants.pants[0][1]),
+                                value(to_, own_.pants[0][0]), value(to_, own_.pants[0][1]))) {}
+
+  /// The coordinates of the surface, with twists that are as the sides of the heptagons meet.
+  [[nodiscard]] EnclosedCoordinates coordinates(const PantsDecomposition& pants) const {
+    EnclosedCoordinates result = enclosed_coordinates(own_);
+    const std::size_t cuffs = pants.cuffs.size();
+    for (std::size_t e = 0; e < cuffs; ++e) {
+      const auto& [length, twist] = std::pair(pants.cuffs[e].length, pants.cuffs[e].twist);
+      const double turns = std::round((result.values[cuffs + e].lower - twist.lower) / length.lower);
+      const certify::Precision scope(kBitsOfDerivatives);
+      const Ball moved = ball_of_interval(twist) + Ball::exactly(turns) * ball_of_interval(length);
+      result.values[e] = length;
+      result.values[cuffs + e] = turns == 0 ? twist : certify::outer_interval(moved);
+    }
+    return result;
+  }
+
+  /// Letter by letter: each is moved by little, so that it is found although the heptagons are rounded.
+  [[nodiscard]] Word word(const Word& path) {
+    constexpr double kTolerance = 1e-3;
+    Word result;
+    for (const SideId letter : path) {
+      const Surface& surface = from_.surface();
+      const Word before = path_between_tiles(surface, TileId(0), surface.tile_of_side(letter));
+      const Word after = path_between_tiles(surface, TileId(0), surface.tile_of_side(surface.partner(letter)));
+      const Word loop = concatenated(surface, concatenated(surface, before, {letter}), reversed(surface, after));
+      const std::optional<Word> image = image_word(to_, motion_, from_.value(loop), kTolerance);
+      if (!image) fail();
+      result = concatenated(to_.surface(), std::move(result), *image);
+    }
+    return result;
+  }
+
+  /// Throws LimitError unless a length may be that of the closed geodesic of a path.
+  void check_length(const certify::Interval& length, const Word& path) const {
+    const double expected = 2 * static_cast<double>(acosh(abs(from_.value(path).a.x)));
+    const double rounding = 1e-9 * (1 + expected);
+    if (!(length.lower - rounding <= expected && expected <= length.upper + rounding)) fail();
+  }
+
+ private:
+  [[noreturn]] static void fail() {
+    throw LimitError("a path is not found again in heptagons with the coordinates of the surface");
+  }
+
+  /// With Re a > 0.
+  static Isometry<Number> value(const LiftedTiles& tiles, const Word& word) {
+    Isometry<Number> result = tiles.value(from_tile_0(tiles.surface(), word));
+    if (result.a.x < 0) result = {-result.a, -result.b};
+    return result;
+  }
+
+  LiftedTiles from_;
+  LiftedTiles to_;
+  PantsDecomposition own_;
+  Motion<Number> motion_;
+};
+
+}  // namespace
+
+LengthDerivatives length_derivatives(const Surface& surface, const PantsDecomposition& pants, const Word& word,
+                                     bool second, unsigned threads) {
+  if (CurveTopology(surface).curve(word).is_null_homotopic())
+    throw SurfaceError("null-homotopic, so there is no closed geodesic");
+  if (pants.own) return length_derivatives(enclosed_coordinates(pants), word, second);
+  InHeptagons heptagons(surface, pants, threads);
+  LengthDerivatives result = length_derivatives(heptagons.coordinates(pants), heptagons.word(word), second);
+  heptagons.check_length(result.length, word);
   return result;
 }
 

@@ -53,10 +53,11 @@ class PolygonDrawing {
   }
 
   [[nodiscard]] std::string svg() const {
-    std::string body = domain() + disks() + inner() + sides();
+    const Legend legend = this->legend();
+    std::string body = domain() + disks() + inner() + sides(legend);
     for (const PolygonPicture::Curve& curve : picture_.curves) body += curve_group(curve);
     for (const PolygonPicture::Mark& mark : picture_.marks) body += mark_group(mark);
-    return head() + body + legend() + "</svg>\n";
+    return head() + body + legend.group() + "</svg>\n";
   }
 
  private:
@@ -96,7 +97,7 @@ class PolygonDrawing {
            width(0.8) + "\" d=\"" + path_of(picture_.inner) + "\"/>\n";
   }
 
-  [[nodiscard]] std::string sides() const {
+  [[nodiscard]] std::string sides(const Legend& legend) const {
     std::string lines =
         "<g class=\"sides\" fill=\"none\" stroke-linecap=\"round\" stroke-width=\"" + width(3.5) + "\">\n";
     std::string labels = "<g class=\"labels\" font-family=\"sans-serif\" font-size=\"" + width(kFont) +
@@ -111,20 +112,33 @@ class PolygonDrawing {
       const double length = std::sqrt(norm(chord));
       // A label that is wider than its side would stand at others.
       if (length * paper_.radius() < 0.8 * kFont * unit_) continue;
-      // Outside: on the right of the side.
-      const Point outward = (1.2 * kFont * unit_ / (paper_.radius() * length)) * Point{chord.y, -chord.x};
-      const Point place = midpoint(side.ends) + outward;
-      // Nor one that would lie on another, as at a corner that points inward.
       const double half_width = 0.3 * kFont * unit_ * static_cast<double>(side.name.size()) / paper_.radius();
-      const auto is_covered = [&](const std::pair<Point, double>& other) {
-        return std::abs(other.first.x - place.x) < other.second + half_width &&
-               std::abs(other.first.y - place.y) < kFont * unit_ / paper_.radius();
+      // Nor one that would lie on another, as at a corner that points inward.
+      const auto is_covered = [&](const Point& place) {
+        return std::any_of(placed.begin(), placed.end(), [&](const std::pair<Point, double>& other) {
+          return std::abs(other.first.x - place.x) < other.second + half_width &&
+                 std::abs(other.first.y - place.y) < kFont * unit_ / paper_.radius();
+        });
       };
-      if (std::any_of(placed.begin(), placed.end(), is_covered)) continue;
-      placed.emplace_back(place, half_width);
-      labels += text(place, side.name, colour);
+      // Outside, which is on the right of the side, if there is room, else inside.
+      const Point outward = (1.2 * kFont * unit_ / (paper_.radius() * length)) * Point{chord.y, -chord.x};
+      for (const Point& place : {midpoint(side.ends) + outward, midpoint(side.ends) - outward}) {
+        if (is_covered(place) || !has_room(place, half_width, legend)) continue;
+        placed.emplace_back(place, half_width);
+        labels += text(place, side.name, colour);
+        break;
+      }
     }
     return lines + "</g>\n" + labels + "</g>\n";
+  }
+
+  /// Whether a label is in the picture and beside the legend.
+  [[nodiscard]] bool has_room(const Point& place, double half_width, const Legend& legend) const {
+    const double left = paper_.middle() + paper_.radius() * (place.x - half_width);
+    const double right = paper_.middle() + paper_.radius() * (place.x + half_width);
+    const double top = paper_.middle() - paper_.radius() * place.y - 0.5 * kFont * unit_;
+    const bool is_beside = left > legend.width() || top > legend.height();
+    return is_beside && left > 0 && right < size_ && top > 0 && top + kFont * unit_ < size_;
   }
 
   /// A text with its middle at a place, within a group that has the font.
@@ -163,7 +177,7 @@ class PolygonDrawing {
     return out + "</g>\n";
   }
 
-  [[nodiscard]] std::string legend() const {
+  [[nodiscard]] Legend legend() const {
     Legend legend(1.3 * unit_);
     for (const PolygonPicture::Mark& mark : picture_.marks) legend.add(epsnet::Mark::dot, mark.colour, mark.name);
     for (const PolygonPicture::Curve& curve : picture_.curves) legend.add(epsnet::Mark::line, curve.colour, curve.name);
@@ -172,7 +186,7 @@ class PolygonDrawing {
     constexpr std::uint32_t kMostPairs = 16;  // More rows would lie on the domain.
     if (pairs_ > kMostPairs || pairs_ == 0) {
       if (pairs_ > 0) legend.add_text_row("sides of one colour are glued to each other");
-      return legend.group();
+      return legend;
     }
     legend.add_text_row("glued sides:");
     std::vector<std::pair<std::string, std::string>> named;
@@ -182,7 +196,7 @@ class PolygonDrawing {
       named.emplace_back(pair_colour(pair_[k]), side.name + " " + picture_.sides[side.partner].name);
     }
     legend.add_areas(named, 58);
-    return legend.group();
+    return legend;
   }
 
   [[nodiscard]] std::string head() const {

@@ -276,6 +276,7 @@ std::string Legend::group() const {
 std::string Legend::length(double units) const { return fixed(units * unit_, 1); }
 
 void Legend::add_text(const std::string& text, double x) {
+  right_ = std::max(right_, x + 7 * static_cast<double>(text.size()));
   texts_ += "<text x=\"" + length(x) + "\" y=\"" + length(y_) + "\">" + escaped(text) + "</text>\n";
 }
 

@@ -174,6 +174,9 @@ class Legend {
 
   /// Returns the group of SVG elements.
   [[nodiscard]] std::string group() const;
+  /// Its width and height in pixels, estimated from the number of letters: it begins at the corner of the picture.
+  [[nodiscard]] double width() const { return unit_ * right_; }
+  [[nodiscard]] double height() const { return unit_ * (y_ > 0 ? y_ + 6 : 0); }
 
  private:
   [[nodiscard]] std::string length(double units) const;
@@ -183,6 +186,7 @@ class Legend {
 
   double unit_;
   double y_ = 0;
+  double right_ = 0;
   std::string marks_;
   std::string texts_;
 };

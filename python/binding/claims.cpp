@@ -479,7 +479,7 @@ void bind_derivatives(py::module_& module) {
     const LengthDerivatives result = interruptible([=] {
       PantsOptions options;
       options.threads = threads;
-      return length_derivatives(enclosed_coordinates(pants_decomposition(surface, options)), word, second);
+      return length_derivatives(surface, pants_decomposition(surface, options), word, second, threads);
     });
     return py::make_tuple(result.length, result.gradient, result.second);
   });

@@ -787,15 +787,19 @@ class Surface(Drawn, Immutable):
         return _epsnet.CurveTopology(self._core)
 
     def gradient(self, word: Any, *, second: bool = False, threads: int = 0) -> LengthDerivatives:
-        """The derivatives of the length of a closed geodesic with respect to the Fenchel–Nielsen coordinates of a surface that
-        ``Surface.fenchel_nielsen`` made, its lengths and twists; with ``second`` those of second order, too. The word is one of its sides, as closed
-        geodesics have it. SurfaceError for other tiles: ``surface.pants().fenchel_nielsen()`` is the surface in such tiles.
+        """The derivatives of the length of a closed geodesic with respect to the Fenchel–Nielsen coordinates of ``surface.pants()``, its lengths
+        and twists; with ``second`` those of second order, too. The word is one of the sides of the tiles, as closed geodesics have it. Unless
+        ``Surface.fenchel_nielsen`` made the surface, the path is found again in tiles that it makes, with 512 bits. SurfaceError for a path that is
+        not closed, or null-homotopic; LimitError if the path is too long, or not found again.
 
         >>> import epsnet
         >>> surface = epsnet.Surface.fenchel_nielsen(graph="theta", lengths=[2, 2, 2], twists=[0, 0, 0])
         >>> cuff = surface.pants().cuffs[0]
         >>> [round(x.mid, 9) + 0 for x in surface.gradient(cuff).by_lengths]
         [1.0, 0.0, 0.0]
+        >>> octagon = epsnet.Surface.octagon(seed=5)
+        >>> octagon.gradient(octagon.systole()[0].word).length.width < 1e-9
+        True
         """
         return gradient(self, word, second, threads)
 

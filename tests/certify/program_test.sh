@@ -145,7 +145,7 @@ exact 5 "NO CLAIM: $no_claim" "$surface"
 # So do other files that epsnet writes, by their beginnings; with another one they are broken.
 claims_nothing() {
   printf "$1" >"$scratch/other"
-  why="by its beginning this is $2, which claims nothing; what epsnet's commands write as nets and answers does"
+  why="this begins as $2, which claims nothing; files of nets and of answers do"
   expect 5 "NO CLAIM: \"$scratch/other\": $why" "$scratch/other"
   exact 5 "NO CLAIM: $why" "$scratch/other"
   printf "x$1" >"$scratch/other"
@@ -193,12 +193,13 @@ expect 1 '{"verdict": "VERIFIED", "file": ' --json "$refuted" "$other"
 # An interval contains its number, in JSON as in lines: 2 arcosh of a square root and 4 pi are no decimals.
 for file in "$good" "$other"; do
   json=$("$certify" --json "$file")
-  "$certify" "$file" | grep '^[a-z_]*: \[' | {
+  "$certify" "$file" | grep '^[a-z ]*: \[' | {
     count=0
     while IFS= read -r line; do
       count=$((count + 1))
+      key=$(echo "${line%%: *}" | tr ' ' _)
       case $json in
-        *"\"${line%%: *}\": ${line#*: }"[,}]*) ;;
+        *"\"$key\": ${line#*: }"[,}]*) ;;
         *) echo "--json $file has not the line '$line'" ; exit 1 ;;
       esac
     done

@@ -147,7 +147,44 @@ TEST(LengthDerivatives, OverABoxErrorsOfALongPathAreAdded) {
   }
 }
 
-TEST(LengthDerivatives, OtherTilesAreRefused) {
+// The surface is cut along a cuff and glued anew: lengths of what crosses it change, of any tiles.
+TEST(LengthDerivatives, OnOtherTilesTheyAreThoseOfTheSurface) {
+  for (const auto& [surface, length] : {std::pair(random_octagon(5), "3.5"), std::pair(named_surface("bolza"), "3.5"),
+                                        std::pair(named_surface("klein"), "4")}) {
+    const PantsDecomposition pants = pants_decomposition(surface);
+    EXPECT_FALSE(pants.own);
+    const std::size_t cuffs = pants.cuffs.size();
+    const CurveTopology topology(surface);
+    std::vector<Word> words = geodesics_up_to(surface, length);
+    ASSERT_GE(words.size(), 4U);
+    words.resize(4);
+    for (const Word& word : words) {
+      const LengthDerivatives at = length_derivatives(surface, pants, word, true);
+      EXPECT_NEAR(middle(at.length), length_of(surface, word), 1e-9);
+      ASSERT_EQ(at.gradient.size(), 2 * cuffs);
+      for (std::size_t e = 0; e < cuffs; ++e) {
+        const certify::Interval by_cosines =
+            topology.twist_derivative(topology.curve(word), topology.curve(pants.cuffs[e].curve));
+        EXPECT_NEAR(middle(by_cosines), middle(at.gradient[cuffs + e]), 1e-9);
+      }
+    }
+    // Of a cuff: 1 for its own length, 0 for all others and all twists.
+    for (std::size_t e = 0; e < cuffs; ++e) {
+      const LengthDerivatives at = length_derivatives(surface, pants, pants.cuffs[e].curve);
+      for (std::size_t i = 0; i < 2 * cuffs; ++i) EXPECT_NEAR(middle(at.gradient[i]), i == e ? 1 : 0, 1e-9);
+    }
+  }
+}
+
+TEST(LengthDerivatives, OfPathsThatAreNotClosedAreErrors) {
+  const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::parse("0-1 0-1 0-1"), 3));
+  const PantsDecomposition pants = pants_decomposition(surface);
+  EXPECT_THROW((void)length_derivatives(surface, pants, {}), SurfaceError);
+  EXPECT_THROW((void)length_derivatives(surface, pants, Word{SideId(6)}), SurfaceError);
+  EXPECT_THROW((void)length_derivatives(surface, pants, Word{SideId(6), SideId(99)}), SurfaceError);
+}
+
+TEST(LengthDerivatives, CoordinatesOfOtherTilesAreRefused) {
   EXPECT_THROW((void)enclosed_coordinates(pants_decomposition(random_octagon(5))), SurfaceError);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -150,28 +151,55 @@ TEST(PolygonPicture, OfADirichletDomainHasLabelledSidesWithPairsInOneColour) {
   EXPECT_THAT(svg, Not(HasSubstr("class=\"edges\""))) << "no fan of triangles";
 }
 
-TEST(PolygonPicture, LabelsAndLegendDoNotOverlap) {
-  for (const char* name : {"klein", "bring", "fricke-macbeath"}) {
-    const Surface surface = named_surface(name);
-    for (const std::string& svg :
-         {draw_svg(picture_of(surface)), draw_svg(picture_of(dirichlet_polygon(surface, {})))}) {
-      struct Label {
-        double x, y, half_width;
-      };
-      std::vector<Label> labels;
-      const std::size_t begin = svg.find("<g class=\"labels\"");
-      const std::string group = svg.substr(begin, svg.find("</g>", begin) - begin);
-      const std::regex text("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\"[^>]*>([0-9]+)</text>");
-      for (std::sregex_iterator it(group.begin(), group.end(), text), end; it != end; ++it) {
-        labels.push_back(
-            {std::stod((*it)[1]), std::stod((*it)[2]), 0.28 * 16 * static_cast<double>((*it)[3].length())});
-      }
-      ASSERT_GT(labels.size(), 10U);
-      for (std::size_t i = 0; i < labels.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-          const Label& a = labels[i];
-          const Label& b = labels[j];
-          EXPECT_TRUE(std::abs(a.x - b.x) > a.half_width + b.half_width || std::abs(a.y - b.y) > 12) << name;
+/// Texts of a group of a picture: from where to where.
+struct TextBox {
+  double left, right, top, bottom;
+};
+
+std::vector<TextBox> texts_of(const std::string& svg, const std::string& group_class) {
+  const std::size_t begin = svg.find("<g class=\"" + group_class + "\"");
+  if (begin == std::string::npos) return {};
+  const std::string group = svg.substr(begin, svg.find("</g>", begin) - begin);
+  std::smatch font;
+  if (!std::regex_search(group, font, std::regex("font-size=\"([0-9.]+)\""))) return {};
+  const double size = std::stod(font[1]);
+  const bool is_centred = group.find("text-anchor=\"middle\"") != std::string::npos;
+  const std::regex text("<text x=\"(-?[0-9.]+)\" y=\"(-?[0-9.]+)\"[^>]*>([^<]+)</text>");
+  std::vector<TextBox> result;
+  for (std::sregex_iterator it(group.begin(), group.end(), text), end; it != end; ++it) {
+    const double width = 0.55 * size * static_cast<double>((*it)[3].length());
+    const double left = std::stod((*it)[1]) - (is_centred ? width / 2 : 0);
+    const double bottom = std::stod((*it)[2]);
+    result.push_back({left, left + width, bottom - 0.75 * size, bottom});
+  }
+  return result;
+}
+
+bool overlap(const TextBox& a, const TextBox& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+TEST(PolygonPicture, LabelsAreInThePictureAndDoNotOverlapEachOtherOrTheLegend) {
+  std::deque<test::NamedSurface> surfaces = test::tiled_gallery();
+  for (const char* name : {"klein", "bring", "fricke-macbeath"}) surfaces.push_back({name, named_surface(name)});
+  FenchelNielsenRequest thin;
+  thin.graph = "theta";
+  thin.lengths = {"0.01", "2", "3"};
+  thin.twists = {"0", "0.5", "1"};
+  surfaces.push_back({"thin", fenchel_nielsen_surface(resolve(thin))});
+  for (const auto& [name, surface] : surfaces) {
+    for (const PolygonPicture& picture : {picture_of(surface), picture_of(dirichlet_polygon(surface, {}))}) {
+      for (const std::uint32_t size : {500U, 1000U}) {
+        const std::string svg = draw_svg(picture, size);
+        const std::vector<TextBox> labels = texts_of(svg, "labels");
+        const std::vector<TextBox> legend = texts_of(svg, "legend");
+        EXPECT_GE(labels.size(), 2U) << name;
+        EXPECT_FALSE(legend.empty()) << name;
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+          const TextBox& a = labels[i];
+          EXPECT_TRUE(a.left >= 0 && a.top >= 0 && a.right <= size && a.bottom <= size) << name << ' ' << i;
+          for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(a, labels[j])) << name << ' ' << i << ' ' << j;
+          for (const TextBox& row : legend) EXPECT_FALSE(overlap(a, row)) << name << ' ' << i;
         }
       }
     }
