@@ -166,7 +166,8 @@ let not_for_this_checker = function
     match member found "format" with
     | String
         (("epsnet-geodesics" | "epsnet-distance" | "epsnet-cover" | "epsnet-eigenvalues" | "epsnet-isometries"
-         | "epsnet-pants" | "epsnet-comparison" | "epsnet-curves" | "epsnet-surface") as format) ->
+         | "epsnet-pants" | "epsnet-comparison" | "epsnet-curves" | "epsnet-surface" | "epsnet-dirichlet" | "epsnet-matrices"
+         | "epsnet-mesh") as format) ->
       Some ("a file of the format " ^ format)
     | String "epsnet-net" -> (
       if List.mem_assoc "collars" found then Some "a pseudo net"

@@ -144,6 +144,15 @@ TEST(Radius, IsBetweenHalfOfTheDiameterAndEveryEccentricity) {
   }
 }
 
+/// Where many points are as far as possible from all others, by symmetry, a search once ended without an enclosure.
+TEST(Radius, OfSymmetricSurfacesIsFoundByDefault) {
+  for (const char* name : {"klein", "bring"}) {
+    const Certified<BoundDocument> found = radius(named_surface(name), {});
+    EXPECT_LE(found.document.value.upper - found.document.value.lower, 1e-6) << name;
+    EXPECT_EQ(found.certificate.verdict, certify::Verdict::verified) << name;
+  }
+}
+
 TEST(Radius, HasATieAtTheCentreOfARegularSurface) {
   const BoundDocument document = unproved::radius(Surface::regular(2), {.width = 0.1});
   EXPECT_EQ(verdict(document), "VERIFIED");
