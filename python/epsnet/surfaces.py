@@ -798,7 +798,7 @@ class Surface(Drawn, Immutable):
         >>> [round(x.mid, 9) + 0 for x in surface.gradient(cuff).by_lengths]
         [1.0, 0.0, 0.0]
         >>> octagon = epsnet.Surface.octagon(seed=5)
-        >>> octagon.gradient(octagon.systole()[0].word).length.width < 1e-9
+        >>> octagon.gradient(octagon.spectrum(3)[0]).length.width < 1e-9
         True
         """
         return gradient(self, word, second, threads)
