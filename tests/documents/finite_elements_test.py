@@ -20,6 +20,7 @@ RECIPES = {
     "FreeFEM": (["FreeFem++", "-nw", "-v", "0", "recipe.edp"], r"lambda_1 = (\S+)", LAMBDA),
     "FEniCSx": ([sys.executable, "recipe.py"], r"lambda_1 = (\S+)", LAMBDA),
     "Gmsh": (["gmsh", "recipe.geo", "-parse_and_exit"], r"integral = (\S+)", 4 * math.pi),
+    "MFEM": (["./recipe"], r"lambda_1 = (\S+)", LAMBDA),
     "Without a library": ([sys.executable, "recipe.py"], r"lambda_1 = (\S+)", LAMBDA),
 }
 NEEDS = {"FEniCSx": ("dolfinx", "meshio", "scipy"), "Without a library": ("scipy",)}
@@ -38,7 +39,10 @@ def printed(command):
 
 def main(epsnet, page, recipe):
     command, pattern, expected = RECIPES[recipe]
-    if shutil.which(command[0]) is None:
+    if recipe == "MFEM":
+        if not os.path.exists("/usr/include/mfem.hpp"):
+            skip("there is no /usr/include/mfem.hpp")
+    elif shutil.which(command[0]) is None:
         skip(f"there is no {command[0]}")
     for module in NEEDS.get(recipe, ()):
         if importlib.util.find_spec(module) is None:
@@ -53,9 +57,11 @@ def main(epsnet, page, recipe):
         os.chdir(folder)
         for line in re.findall(r"^    (epsnet [^#\n]*)", text, re.M):
             printed([epsnet, *line.split()[1:]])
-        name = next(word for word in command if word.startswith("recipe."))
+        name = "recipe.cpp" if recipe == "MFEM" else next(word for word in command if word.startswith("recipe."))
         with open(name, "w", encoding="utf-8") as file:
             file.write(block)
+        for line in re.findall(r"^    (mpicxx .*)", section, re.M):
+            printed(line.split())
         output = printed(command)
         if recipe == "Gmsh":
             printed(["gmsh", "net.msh", "-refine", "-format", "msh41", "-o", "fine.msh"])
