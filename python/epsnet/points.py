@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from numbers import Real
 from typing import TYPE_CHECKING, Any, List, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
@@ -16,7 +17,15 @@ __all__ = ["Point"]
 
 
 class Point(NamedTuple):
-    """A point of a surface: a tile, and rational coordinates in the Poincaré disk of that tile."""
+    """A point of a surface: a tile, and rational coordinates in the Poincaré disk of that tile.
+
+    It is printed with 12 significant digits. ``x`` and ``y`` are exact fractions, and ``z`` is x + iy, exactly.
+
+    >>> import epsnet
+    >>> p = epsnet.Surface.octagon(1).point(0, "1/10", "-1/3")
+    >>> p, p.y
+    (Point(0, 0.1, -0.333333333333), Fraction(-1, 3))
+    """
 
     tile: int
     x: Fraction
@@ -24,11 +33,16 @@ class Point(NamedTuple):
 
     @property
     def z(self) -> Gaussian:
-        """x + iy."""
+        """x + iy, exactly."""
         return Gaussian(self.x, self.y)
 
     def __repr__(self) -> str:
-        return f"Point({self.tile}, {self.x}, {self.y})"
+        return f"Point({self.tile}, {_rounded(self.x)}, {_rounded(self.y)})"
+
+
+def _rounded(x: Any) -> str:
+    """A coordinate in decimals. (Whoever makes a Point without ``surface.point`` may put anything there that stands for a number.)"""
+    return f"{float(x):.12g}" if isinstance(x, Real) else repr(x)
 
 
 #: What stands for a point: a Point or (tile, x, y); a tile alone, for its centre.

@@ -366,7 +366,7 @@ class Surface(Drawn, Immutable):
 
         >>> import epsnet
         >>> epsnet.Surface.octagon(1).point(0, 0.1, "-1/3")
-        Point(0, 1/10, -1/3)
+        Point(0, 0.1, -0.333333333333)
         """
         return Point(as_index(tile, "tile"), as_fraction(x, "x"), as_fraction(y, "y"))
 
@@ -617,7 +617,7 @@ class Surface(Drawn, Immutable):
         <Net: 227 vertices, epsilon 0.2, genus 2, VERIFIED>
         >>> net = surface.net("0.2", points=[(0, 0.1, 0.2), (0, 0, "-1/3")])
         >>> net.point(1)
-        Point(0, 0, -1/3)
+        Point(0, 0, -0.333333333333)
         """
         return Net._computed(
             self, epsilon, base=base, points=points, pseudo=pseudo, sparse=sparse, threads=threads, progress=progress,

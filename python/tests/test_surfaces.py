@@ -1,5 +1,6 @@
 """Surfaces, and the numbers that describe them."""
 import pickle
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -283,3 +284,14 @@ def test_names_and_areas(octagon, tmp_path):
     Surface.regular(4).save(tmp_path / "regular.json")
     assert repr(Surface.load(tmp_path / "regular.json")) == "<Surface regular(4), genus 4>"
     assert repr(Surface(octagon.tiles, octagon.gluing)) == "<Surface of 1 tile, genus 2>"
+
+
+def test_points_are_printed_with_twelve_digits(octagon, bolza):
+    p = octagon.point(0, "1/3", "-1e-20")
+    assert repr(p) == str(p) == "Point(0, 0.333333333333, -1e-20)" and (p.x, p.y) == (Fraction(1, 3), -Fraction(1, 10**20)) and p.z == Gaussian(p.x, p.y)
+    assert repr(epsnet.Point(0, 1, 0.1)) == "Point(0, 1, 0.1)" and repr(epsnet.Point(0, "1/3", 0)) == "Point(0, '1/3', 0)"
+    diameter = bolza.diameter("0.1")
+    points = [diameter.point, *diameter.farthest_points(), octagon.eccentricity(0).point, *octagon.random_points(5, seed=1), octagon.net("0.5").point(3)]
+    for p in points:
+        assert re.fullmatch(r"Point\(\d+, -?(0|[01]\.\d{1,15}|\d(\.\d+)?e-\d+), -?(0|[01]\.\d{1,15}|\d(\.\d+)?e-\d+)\)", repr(p)), p
+        assert isinstance(p.x, Fraction) and abs(p.x - Fraction(repr(p).split(", ")[1])) < 1e-12
