@@ -155,10 +155,11 @@ struct MatrixSurface {
 /// those that violate Jørgensen's inequality are decided exactly, unless numbers are rounded. Cubic in the genus.
 [[nodiscard]] MatrixSurface surface_of_matrices(const MatrixGenerators& matrices);
 
-/// Returns 2g matrices that generate the group of a surface in the coordinates of tile 0, those of sides of
-/// fundamental_polygon, and a relation that holds between them and implies all others; as a text that parse_matrices
-/// reads, with the words of the generators. Exactly, up to scale, and rounded to determinant 1. Throws SurfaceError if
-/// the tiles are regular and lcm(2p, 2q, 4) is more than 100,000.
+/// Returns 2g matrices that generate the group of a surface in the coordinates of tile 0, those of sides k < partner of
+/// fundamental_polygon in their order, and a relation that holds between them and implies all others; as a text that
+/// parse_matrices reads, with the words of the generators, and each such side of the polygon as a product of them.
+/// Exactly, up to scale, and rounded to determinant 1. Throws SurfaceError if the tiles are regular and lcm(2p, 2q, 4)
+/// is more than 100,000.
 [[nodiscard]] std::string write_matrices(const Surface& surface, MatrixModel model = MatrixModel::sl2r);
 
 // Characters of a surface: homomorphisms χ of its group to the unit circle, given by phases.

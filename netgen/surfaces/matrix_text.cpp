@@ -360,6 +360,45 @@ Json irrational_matrix_json(const certify::Isometry<Number>& f, MatrixModel mode
   return Json::array({Json::array({e[0], e[1]}), Json::array({e[2], e[3]})});
 }
 
+/// The side pairings k < partner that one relation leaves, in their order.
+std::vector<std::uint32_t> kept_generators(const PolygonSides& sides, const OneRelator& group) {
+  std::vector<std::uint32_t> result;
+  for (const std::uint32_t k : group.relation) {
+    if (k < sides.partner[k]) result.push_back(k);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// k + 1 is kept generator k, −(k + 1) its inverse.
+using Product = std::vector<std::int32_t>;
+
+/// By side of the polygon: its isometry as a product of the kept generators, the first one on the left.
+std::vector<Product> pairings(const PolygonSides& sides, const OneRelator& group) {
+  std::vector<Product> result(sides.side.size());
+  std::int32_t count = 0;
+  for (const std::uint32_t k : kept_generators(sides, group)) {
+    ++count;
+    result[k] = {count};
+    result[sides.partner[k]] = {-count};
+  }
+  for (auto one = group.expressed.rbegin(); one != group.expressed.rend(); ++one) {
+    Product& product = result[one->side];
+    for (const std::uint32_t k : one->word) {
+      for (const std::int32_t letter : result[k]) {
+        if (!product.empty() && product.back() == -letter) {
+          product.pop_back();
+        } else {
+          product.push_back(letter);
+        }
+      }
+    }
+    Product& inverse = result[sides.partner[one->side]];
+    for (auto letter = product.rbegin(); letter != product.rend(); ++letter) inverse.push_back(-*letter);
+  }
+  return result;
+}
+
 }  // namespace
 
 MatrixGenerators parse_matrices(const std::string& text) { return MatrixReader().read(text); }
@@ -372,37 +411,36 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
   Json rounded = Json::array();
   Json relation = Json::array();
   Json words = Json::array();
+  Json products = Json::array();
   const std::string root = surface.field_tiles() ? root_text(*surface.field_tiles()) : "";
   std::optional<TriangleGroup> tiling;
   if (surface.is_regular()) tiling.emplace(*surface.regular_tile());
-  std::vector<std::int32_t> letter(polygon.sides.size());
-  std::int32_t count = 0;
-  for (const std::uint32_t k : group.relation) {
-    if (letter[k] == 0) {
-      letter[k] = ++count;
-      letter[sides.partner[k]] = -count;
-      const Word& word = polygon.sides[k].word;
-      words.push_back(word);
-      Isometry<Mp1024> f;
-      if (surface.is_regular()) {
-        f = {{Mp1024(1), Mp1024(0)}, {Mp1024(0), Mp1024(0)}};
-        for (const SideId s : word) f = surface.crossing_as<Mp1024>(s) * f;
-        f = normalized(f);
-        exact.push_back(irrational_matrix_json(tiling->element(walk_of(surface, word)), model, field_texts));
-      } else if (surface.field_tiles()) {
-        const certify::Isometry<certify::FieldNumber> isometry = field_isometry(surface, word);
-        f = rounded_isometry<Mp1024>(isometry);
-        exact.push_back(irrational_matrix_json(isometry, model, [&](const std::vector<certify::FieldNumber>& numbers) {
-          return number_texts(numbers, root);
-        }));
-      } else {
-        const Isometry<Rational> isometry = exact_isometry(surface, word);
-        f = normalized(convert<Mp1024>(isometry));
-        exact.push_back(matrix_json(isometry, model, [](const Rational& x) { return x.str(); }));
-      }
-      rounded.push_back(rounded_json(f, model));
+  const std::vector<Product> pairing = pairings(sides, group);
+  for (const std::uint32_t k : kept_generators(sides, group)) {
+    const Word& word = polygon.sides[k].word;
+    words.push_back(word);
+    Isometry<Mp1024> f;
+    if (surface.is_regular()) {
+      f = {{Mp1024(1), Mp1024(0)}, {Mp1024(0), Mp1024(0)}};
+      for (const SideId s : word) f = surface.crossing_as<Mp1024>(s) * f;
+      f = normalized(f);
+      exact.push_back(irrational_matrix_json(tiling->element(walk_of(surface, word)), model, field_texts));
+    } else if (surface.field_tiles()) {
+      const certify::Isometry<certify::FieldNumber> isometry = field_isometry(surface, word);
+      f = rounded_isometry<Mp1024>(isometry);
+      exact.push_back(irrational_matrix_json(isometry, model, [&](const std::vector<certify::FieldNumber>& numbers) {
+        return number_texts(numbers, root);
+      }));
+    } else {
+      const Isometry<Rational> isometry = exact_isometry(surface, word);
+      f = normalized(convert<Mp1024>(isometry));
+      exact.push_back(matrix_json(isometry, model, [](const Rational& x) { return x.str(); }));
     }
-    relation.push_back(letter[k]);
+    rounded.push_back(rounded_json(f, model));
+  }
+  for (const std::uint32_t k : group.relation) relation.push_back(pairing[k].front());
+  for (std::uint32_t k = 0; k < pairing.size(); ++k) {
+    if (k < sides.partner[k]) products.push_back(pairing[k]);
   }
   // One member in each line, one matrix in each line.
   std::ostringstream out;
@@ -421,6 +459,8 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
   list("rounded", rounded);
   out << ",\n";
   list("words", words);
+  out << ",\n";
+  list("pairings", products);
   out << "\n}\n";
   return out.str();
 }

@@ -12,9 +12,9 @@ from ._immutable import Immutable
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .errors import ArgumentError, SurfaceError
+from .groups import as_word
 from .intervals import Interval
 from .nets import Net
-from .pants import as_word
 
 __all__ = ["ClosedCurve", "ClosedCurves", "Curve"]
 
@@ -276,27 +276,27 @@ class ClosedCurves(Document, Sequence[ClosedCurve]):
 
 
 def curve(surface: "Surface", word: Any, name: str = "word") -> Curve:
-    letters = as_word(word, name)
+    sides = as_word(surface, word, name)
     with argument(name):
-        return Curve(surface, letters, surface._curve_topology.curve(letters))
+        return Curve(surface, sides, surface._curve_topology.curve(sides))
 
 
-def _words(words: Any, name: str) -> list[list[int]]:
-    return [as_word(word, name) for word in as_items(words, name, "closed curves")]
+def _words(surface: "Surface", words: Any, name: str) -> list[list[int]]:
+    return [as_word(surface, word, name) for word in as_items(words, name, "closed curves")]
 
 
 def curves(surface: "Surface", words: Any, threads: int, progress: Progress) -> ClosedCurves:
-    letters, threads = _words(words, "words"), as_threads(threads)
+    sides, threads = _words(surface, words, "words"), as_threads(threads)
     with Shower(progress) as callback:
-        core, certificate = _epsnet.Curves.find(surface._core, letters, threads, callback)
+        core, certificate = _epsnet.Curves.find(surface._core, sides, threads, callback)
     return ClosedCurves(core, surface, Certificate(certificate))
 
 
 def fills(surface: "Surface", words: Any) -> bool:
     found = []
-    for number, letters in enumerate(_words(words, "curves")):
+    for number, sides in enumerate(_words(surface, words, "curves")):
         try:
-            found.append(surface._curve_topology.curve(letters))
+            found.append(surface._curve_topology.curve(sides))
         except SurfaceError as error:
             raise ArgumentError(error.reason, place=f"curve {number}") from None
     return surface._curve_topology.fill(found)

@@ -14,7 +14,7 @@ from .eigenvalues import Eigenvalues
 from .geodesics import ClosedGeodesics, LocalMaximum, Systole, ThickThin, list_of
 from .nets import Net
 from .pants import PantsDecomposition
-from .surfaces import Surface
+from .surfaces import Surface, loaded_name
 from .symmetries import Comparison, IsometryProof
 
 __all__ = ["certify", "load"]
@@ -40,7 +40,7 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
     check, shower = as_flag(check, "check"), Shower(progress)
     name, core = read(path)
     if isinstance(core, _epsnet.Surface):
-        return Surface._of(core)
+        return Surface._of(core, loaded_name(path))
     certificate = certified(core, name, shower) if check else None
     if isinstance(core, _epsnet.Net):
         return Net(core, None, certificate)

@@ -8,8 +8,8 @@ from ._annotations import Surface
 from ._arguments import as_flag, as_index, as_threads
 from ._immutable import Immutable
 from ._progress import Progress, Shower
+from .groups import as_word
 from .intervals import Interval
-from .pants import as_word
 
 __all__ = ["LengthDerivatives", "SystoleMaximum"]
 
@@ -55,11 +55,12 @@ class SystoleMaximum(Immutable):
 
 
 def gradient(surface: "Surface", word: Any, second: bool, threads: int) -> LengthDerivatives:
-    return LengthDerivatives(*_epsnet.length_derivatives(surface._core, as_word(word, "word"), as_flag(second, "second"), as_threads(threads)))
+    sides = as_word(surface, word, "word")
+    return LengthDerivatives(*_epsnet.length_derivatives(surface._core, sides, as_flag(second, "second"), as_threads(threads)))
 
 
 def maximize_systole(surface: "Surface", steps: int, threads: int, progress: Progress) -> SystoleMaximum:
     most, threads = as_index(steps, "steps", 1, 100000), as_threads(threads)
     with Shower(progress) as callback:
         core, systole, systoles, proof = _epsnet.maximize_systole(surface._core, most, threads, callback)
-    return SystoleMaximum(surface._of(core), systole, systoles, proof)
+    return SystoleMaximum(surface._derived(core, "maximize_systole"), systole, systoles, proof)

@@ -1,6 +1,7 @@
 """Mapping classes: products of Dehn twists, and what they do to curves and to homology."""
 from __future__ import annotations
 
+import re
 from functools import cached_property
 from typing import Any, Iterable, Optional
 
@@ -8,11 +9,16 @@ from . import _epsnet
 from ._annotations import Surface
 from ._arguments import argument, as_index, as_items, refuse
 from ._immutable import Immutable
+from ._names import shown
 from .curves import Curve, curve
-from .pants import as_power, as_word
+from .groups import as_word
+from .pants import as_power
 from .symmetries import SurfaceIsometry
 
 __all__ = ["MappingClass"]
+
+#: A curve in letters of the group: the library reads sides.
+_IN_LETTERS = re.compile(r"\(([^()]*[A-Za-z][^()]*)\)")
 
 
 class MappingClass(Immutable):
@@ -103,7 +109,7 @@ class MappingClass(Immutable):
     def marking(self) -> "Surface":
         """The surface with another marking, as ``Surface.dehn_twist`` makes it: the isometry to this surface takes the path of a word to its image.
         SurfaceError for regular tiles."""
-        return self.surface._of(_epsnet.with_marking(self.surface._core, self.twists))
+        return self.surface._derived(_epsnet.with_marking(self.surface._core, self.twists), "marking", shown(self.twists))
 
     @property
     def _group(self) -> "_epsnet.MappingClassGroup":
@@ -126,13 +132,14 @@ class MappingClass(Immutable):
 
 def mapping_class(surface: "Surface", product: Any) -> MappingClass:
     if isinstance(product, str):
+        text = _IN_LETTERS.sub(lambda found: f"({' '.join(map(str, as_word(surface, found[1], 'product')))})", product)
         with argument("product"):
-            return MappingClass(surface, surface._mapping_class_group.parse(product))
+            return MappingClass(surface, surface._mapping_class_group.parse(text))
     twists = []
     for factor in as_items(product, "product", "pairs (word, power)"):
         try:
             word, power = factor
         except (TypeError, ValueError):
             refuse("pairs (word, power)", factor, "product")
-        twists.append((as_word(word, "product"), as_power(power)))
+        twists.append((as_word(surface, word, "product"), as_power(power)))
     return MappingClass(surface, twists)

@@ -7,12 +7,13 @@ from typing import Any, Optional, Sequence
 
 from . import _epsnet
 from ._annotations import Surface
-from ._arguments import argument, as_flag, as_fraction, as_index, as_indices, as_items, as_threads, refuse
+from ._arguments import argument, as_flag, as_fraction, as_index, as_items, as_threads, refuse
 from ._documents import Document
 from ._pictures import Drawn
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .errors import ArgumentError
+from .groups import as_word
 from .intervals import Interval
 from .nets import Net
 
@@ -158,11 +159,6 @@ class PantsDecomposition(Drawn, Document):
         return f"<PantsDecomposition: {2 * len(self.cuffs) // 3} pairs of pants, {len(self.cuffs)} cuffs{'' if self.proved else ' (not proved)'}>"
 
 
-def as_word(curve: Any, name: str = "curve") -> list[int]:
-    """The word of a curve: of side numbers, or of what has one, as a closed geodesic, a cuff or another curve."""
-    return as_indices(getattr(curve, "word", curve), name)
-
-
 def pants(
     surface: "Surface", curves: Optional[Sequence[Any]], find: bool, marking: Optional[PantsDecomposition], threads: int, progress: Progress
 ) -> PantsDecomposition:
@@ -174,7 +170,7 @@ def pants(
         with Shower(progress) as callback, argument("marking"):
             core, found = _epsnet.PantsDecomposition.marked(surface._core, marking._core, as_threads(threads), callback)
         return PantsDecomposition(core, surface, Certificate(found), False)
-    words = [] if curves is None else [as_word(curve, "curves") for curve in as_items(curves, "curves", "words")]
+    words = [] if curves is None else [as_word(surface, curve, "curves") for curve in as_items(curves, "curves", "words")]
     find, threads = as_flag(find, "find"), as_threads(threads)
     with Shower(progress) as callback:
         core, found, own = _epsnet.PantsDecomposition.find(surface._core, words, find, threads, callback)
@@ -186,12 +182,12 @@ def as_power(power: Any) -> int:
 
 
 def dehn_twist(surface: "Surface", curve: Any, power: int) -> "_epsnet.Surface":
-    return _epsnet.dehn_twist(surface._core, as_word(curve), as_power(power))
+    return _epsnet.dehn_twist(surface._core, as_word(surface, curve, "curve"), as_power(power))
 
 
 def dehn_twist_words(surface: "Surface", curve: Any, power: int) -> list[tuple[int, ...]]:
-    return [tuple(word) for word in _epsnet.dehn_twist_words(surface._core, as_word(curve), as_power(power))]
+    return [tuple(word) for word in _epsnet.dehn_twist_words(surface._core, as_word(surface, curve, "curve"), as_power(power))]
 
 
 def twist(surface: "Surface", curve: Any, by: Any) -> "_epsnet.Surface":
-    return _epsnet.twist(surface._core, as_word(curve), as_fraction(by, "by"))
+    return _epsnet.twist(surface._core, as_word(surface, curve, "curve"), as_fraction(by, "by"))

@@ -17,6 +17,7 @@ from ._arguments import (
 )
 from ._documents import Document, read
 from ._immutable import Immutable
+from ._names import call, keywords, shown
 from ._pictures import Drawn
 from ._progress import Progress
 from .curves import ClosedCurves, Curve, curve, curves, fills
@@ -25,7 +26,7 @@ from .domains import DirichletDomain, FundamentalPolygon
 from .eigenvalues import Bands, Eigenvalues, bands, eigenvalues, gap, side_phases, torus_point
 from .geodesics import ClosedGeodesics, LocalMaximum, Systole, ThickThin, local_maximum, spectrum, systole, thick_thin
 from .graphs import Lattice, SurfaceGraph, graph_of, lattice
-from .groups import FundamentalGroup
+from .groups import FundamentalGroup, as_word
 from .intervals import Interval
 from .isometries import Gaussian, Isometry
 from .nets import Net
@@ -91,6 +92,10 @@ class Surface(Drawn, Immutable):
         surface._core = core
         surface._name = name
         return surface
+
+    def _derived(self, core: "_epsnet.Surface", method: str, *arguments: str) -> "Surface":
+        """What a method makes of this surface."""
+        return self._of(core, call(f"{self._name or 'surface'}.{method}", *arguments))
 
     @classmethod
     def octagon(cls, seed: Optional[int] = None, *, half: Optional[Sequence[Any]] = None) -> "Surface":
@@ -213,7 +218,8 @@ class Surface(Drawn, Immutable):
             text["tiles"] = as_indices(tiles, "tiles")
         if algebra is not None:
             text["algebra"] = [_matrix_text(x) for x in as_items(algebra, "algebra", "two numbers")]
-        return cls._of(_epsnet.Surface.from_matrices(json.dumps(text)))
+        name = call("from_matrices", f"{len(rows)} matri{'x' if len(rows) == 1 else 'ces'}", *keywords(tiles=tiles, algebra=algebra))
+        return cls._of(_epsnet.Surface.from_matrices(json.dumps(text)), name)
 
     @classmethod
     def fenchel_nielsen(
@@ -237,32 +243,31 @@ class Surface(Drawn, Immutable):
         >>> import epsnet
         >>> thin = epsnet.Surface.fenchel_nielsen(["1/1000", 1, 2], 0, [(0, 0), (0, 1), (1, 1)])
         >>> thin
-        <Surface of 2 tiles, genus 2>
+        <Surface fenchel_nielsen(lengths=('1/1000', 1, 2), twists=0, graph='0-0 0-1 1-1'), genus 2>
         >>> epsnet.Surface.fenchel_nielsen(lengths=2, twists="1/2", graph="ring", genus=5).genus
         5
         >>> len(epsnet.Surface.fenchel_nielsen("2*arcosh(3/2)", "arcosh(3/2)", "theta").isometries())
         24
         """
-        if graph is None:
-            graph = ""
-        if not isinstance(graph, str):
+        if not (graph is None or isinstance(graph, str)):
             edges = as_items(graph, "graph", "a name or edges")
             graph = " ".join("-".join(map(str, as_indices(edge, "graph"))) for edge in edges)
         genus = None if genus is None else as_index(genus, "genus")
         seed = None if seed is None else as_index(seed, "seed", 0, 2**64 - 1)
-        coordinates = _epsnet.Coordinates(graph, genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
+        lengths, twists = _numbers(lengths, "lengths"), _numbers(twists, "twists")
+        coordinates = _epsnet.Coordinates(graph or "", genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
         for remark in _epsnet.Surface.symmetry_remarks(coordinates):
             warnings.warn(remark, stacklevel=2)
-        name = f"fenchel_nielsen(genus={genus}, seed={seed})" if lengths is None and twists is None and graph in ("", "random") else ""
+        name = call("fenchel_nielsen", *keywords(lengths=lengths, twists=twists, graph=graph, genus=genus, seed=seed))
         return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates), name)
 
     @classmethod
     def load(cls, path: Path) -> "Surface":
         """The surface of a file: a surface file, the surface of a net file or another file of epsnet, or CGAL's text formats."""
         core = read(path)[1]
-        if isinstance(core, _epsnet.Surface):
-            return cls._of(core)
-        return cls._of(core.surface if isinstance(core, _epsnet.Net) else core.net.surface)
+        if not isinstance(core, _epsnet.Surface):
+            core = core.surface if isinstance(core, _epsnet.Net) else core.net.surface
+        return cls._of(core, loaded_name(path))
 
     def save(self, path: Path) -> None:
         """Writes a surface file, completely or not at all."""
@@ -312,7 +317,14 @@ class Surface(Drawn, Immutable):
 
     @property
     def name(self) -> str:
-        """How it was made here, such as ``"klein"`` or ``"octagon(seed=5)"``; empty, if that is not known. It is not part of the surface."""
+        """How it was made here, such as ``"klein"`` or ``"octagon(seed=5)"``, shortened by … where it is long; empty, if that is not known. It is
+        not part of the surface.
+
+        >>> import epsnet
+        >>> theta = epsnet.Surface.fenchel_nielsen(lengths=(1, 2, 3), twists=(0, 0, 0))
+        >>> theta.name
+        'fenchel_nielsen(lengths=(1, 2, 3), twists=(0, 0, 0))'
+        """
         return self._name
 
     @property
@@ -344,17 +356,17 @@ class Surface(Drawn, Immutable):
         """The number of the side that a side is glued to."""
         return self._core.partner(as_index(side, "side", 0, self._core.side_count - 1))
 
-    def _checked_word(self, word: Iterable[int]) -> list[int]:
+    def _checked_word(self, word: Any) -> list[int]:
         """The numbers of sides of a path."""
-        letters = as_indices(word, "word")
+        sides = as_word(self, word, "word")
         with argument("word"):
-            self._core.enclosed_isometry(letters, 1)  # Whether it is a path.
-        return letters
+            self._core.enclosed_isometry(sides, 1)  # Whether it is a path.
+        return sides
 
-    def reduced(self, word: Iterable[int]) -> tuple[int, ...]:
-        """The path with each crossing that is undone at once removed."""
+    def reduced(self, word: Any) -> tuple[int, ...]:
+        """The sides of a path with each crossing that is undone at once removed."""
         result: list[int] = []
-        for side in as_indices(word, "word", self._core.side_count - 1):
+        for side in as_indices(as_word(self, word, "word"), "word", self._core.side_count - 1):
             if result and self.partner(result[-1]) == side:
                 result.pop()
             else:
@@ -511,21 +523,32 @@ class Surface(Drawn, Immutable):
         """2g matrices that generate the group, and the relation between them: what ``epsnet export --format matrices`` writes.
 
         The members ``generators`` (exact, texts, up to scale: integers, or for regular tiles numbers of their field), ``rounded`` (of determinant 1),
-        ``relation``, ``words`` and, of regular tiles, ``tiles``, as docs/exchange-formats.md has them.
+        ``relation``, ``words``, ``pairings`` and, of regular tiles, ``tiles``, as docs/exchange-formats.md has them.
+
+        They are matrices of ``generators()``, in their order: of all, if those have one relation, so that letters are the same as those of
+        ``fundamental_group()``; else of 2g of them. ``words`` says which those are, and ``pairings`` has for each of ``generators()`` the product
+        of the matrices that it is, the first one on the left, numbered as in ``relation``.
 
         >>> import epsnet
-        >>> epsnet.Surface.octagon(3).matrices()["relation"]
-        [1, 2, 3, 4, -1, -2, -3, -4]
+        >>> surface = epsnet.Surface.octagon(3)
+        >>> surface.matrices()["relation"], surface.fundamental_group().relations
+        ([1, -2, 3, -4, -1, 2, -3, 4], ((1, -2, 3, -4, -1, 2, -3, 4),))
+        >>> theta = epsnet.Surface.fenchel_nielsen(lengths=2, twists=0, graph="theta")
+        >>> matrices, group = theta.matrices(), theta.fundamental_group()
+        >>> [group.text(word) for word in matrices["words"]], matrices["pairings"]
+        (['b', 'd', 'e', 'f'], [[1], [1], [1, 3, -4, -1, -3], [2], [3], [4]])
         """
         text = self._core.matrices(as_choice(model, "model", ("sl2r", "su11")) == "su11")
         return dict(json.loads(text))
 
-    def element(self, word: Iterable[int]) -> Isometry:
-        """The element of the group for a path across sides, each the number of a side of the tile in which the path is.
+    def element(self, word: Any) -> Isometry:
+        """The element of the group for a path across sides, each the number of a side of the tile in which the path is; or for a text such as
+        ``"abAB"`` in the letters of ``fundamental_group()``.
 
         >>> import epsnet
-        >>> epsnet.Surface.octagon(1).element([0, 4]).is_identity()
-        True
+        >>> surface = epsnet.Surface.octagon(1)
+        >>> surface.element([0, 4]).is_identity(), surface.element("ab") == surface.generators()[0] * surface.generators()[1]
+        (True, True)
         """
         return Isometry(self, self._checked_word(word))
 
@@ -552,6 +575,10 @@ class Surface(Drawn, Immutable):
         >>> epsnet.Surface.regular(2).fundamental_group()
         <FundamentalGroup with 4 generators, 1 relation>
         """
+        return self._fundamental_group
+
+    @cached_property
+    def _fundamental_group(self) -> FundamentalGroup:
         return FundamentalGroup(self)
 
     def cover(
@@ -740,7 +767,7 @@ class Surface(Drawn, Immutable):
         >>> surface.dehn_twist(surface.pants().cuffs[0]).isometric_to(surface)
         <SurfaceIsometry that preserves orientation>
         """
-        return self._of(dehn_twist(self, curve, power))
+        return self._derived(dehn_twist(self, curve, power), "dehn_twist", _curve_name(curve), *keywords(power=power))
 
     def dehn_twist_words(self, curve: Any, power: int = 1) -> list[tuple[int, ...]]:
         """By side: the path that a Dehn twist makes of the path across it. For surfaces of regular tiles, too."""
@@ -756,19 +783,23 @@ class Surface(Drawn, Immutable):
         >>> abs(surface.twist(curve, "1/10").systole().mid - surface.systole().mid) < 1e-12
         True
         """
-        return self._of(twist(self, curve, by))
+        return self._derived(twist(self, curve, by), "twist", _curve_name(curve), shown(by))
 
     # Closed curves.
 
     def curve(self, word: Any) -> Curve:
-        """A closed curve up to free homotopy, of a word, a closed geodesic, a cuff, or another curve: whether it is simple, how often it meets
-        others, its class in homology. Its direction is that of the word; it may be null-homotopic.
+        """A closed curve up to free homotopy, of a word, a closed geodesic, a cuff, an element of the group or another curve: whether it is simple,
+        how often it meets others, its class in homology. Its direction is that of the word; it may be null-homotopic.
+
+        A word is one of sides, or a text such as ``"abAB"`` in the letters of ``fundamental_group()``.
 
         >>> import epsnet
         >>> surface = epsnet.Surface.octagon(123)
         >>> curve = surface.curve([0, 0])
         >>> curve.power, curve.self_intersections, curve.homology
         (2, 1, (0, 0, 0, 2))
+        >>> surface.curve("abAB").genera, surface.curve("ab") == surface.curve(surface.element("ab"))
+        ((1, 1), True)
         """
         return curve(self, word)
 
@@ -816,7 +847,8 @@ class Surface(Drawn, Immutable):
 
     def mapping_class(self, product: Any = "") -> MappingClass:
         """A product of Dehn twists, of which the last one acts first: a text such as ``"a1 b2^-1 C1 (1 6)^2"``, with names of
-        ``mapping_class_generators()``, in upper case for inverses, or simple closed curves as words in parentheses; or pairs of a curve and a power.
+        ``mapping_class_generators()``, in upper case for inverses, or simple closed curves as words in parentheses, of sides or of letters as
+        ``"(abAB)^2"``; or pairs of a curve and a power.
 
         >>> import epsnet
         >>> surface = epsnet.Surface.octagon(123)
@@ -1025,6 +1057,15 @@ class Surface(Drawn, Immutable):
         return self._core.svg(as_index(size, "size", 50, 20000))
 
 
+def loaded_name(path: Path) -> str:
+    """The name of a surface of a file."""
+    return call("load", shown(as_path(path)))
+
+
+def _curve_name(curve: Any) -> str:
+    return shown(getattr(curve, "word", curve))
+
+
 def _unpickled(text: bytes, name: str) -> Surface:
     return Surface._of(_epsnet.Surface.parse(text, "pickle"), name)
 
@@ -1043,11 +1084,15 @@ def _corner(z: Any, name: str) -> tuple[Fraction, Fraction]:
     return as_fraction(parts[0], name), as_fraction(parts[1], name)
 
 
+def _numbers(numbers: Union[Number, Sequence[Number], None], name: str) -> Union[Number, Sequence[Number], None]:
+    """One number, or a list of them."""
+    return as_items(numbers, name, "numbers") if isinstance(numbers, Iterable) and not isinstance(numbers, str) else numbers
+
+
 def _texts(numbers: Union[Number, Sequence[Number], None], name: str) -> list[str]:
     if numbers is None:
         return []
-    one = isinstance(numbers, str) or not isinstance(numbers, Iterable)
-    return [as_text(x, name) for x in ([numbers] if one else as_items(numbers, name, "numbers"))]
+    return [as_text(x, name) for x in (numbers if isinstance(numbers, list) else [numbers])]
 
 
 Document._surface_class = Surface

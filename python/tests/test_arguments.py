@@ -150,8 +150,9 @@ def test_every_wrong_argument_is_named(calls, tmp_path, monkeypatch):
     problems = []
     for function, right in calls:
         for name in right:
-            # A text is right for the name of a file, a title, a relation and letters, and no other number is.
-            for wrong in [Nonsense()] + ([10**30] if name in ("path", "title", "relation", "letters") else ["abc"]):
+            # A text is right for the name of a file, a title, a relation, letters and words, and no other number is.
+            texts = ("path", "title", "relation", "letters", "word", "curve", "other", "along", "closed_curve")
+            for wrong in [Nonsense()] + ([10**30] if name in texts else ["abc"]):
                 try:
                     function(**{**right, name: wrong})
                     outcome = "returned"

@@ -379,6 +379,65 @@ def test_letters_are_products_of_generators(octagon, pants, bolza):
         geodesic = surface.systole().geodesic
         lengths = group.element(group.text(geodesic)).translation_length, geodesic.length
         assert lengths[0].overlaps(lengths[1])
+        assert surface.element(group.text(geodesic)) == group.element(group.text(geodesic)) and group.letters(group.text(geodesic)) == group.letters(geodesic)
     group = octagon.fundamental_group()
     assert group.text((1, -2)) == "aB" and group.text(octagon.element([])) == "" and group.element("").is_identity()
     assert group.element("aA").is_identity() and repr(group) == "<FundamentalGroup with 4 generators, 1 relation>"
+
+
+def test_letters_of_the_group_are_those_of_the_matrices(octagon, pants, bolza):
+    """All of them, where there is one relation; and else ``pairings`` leads from one to the other."""
+    for surface in (octagon, bolza, pants, Surface.named("klein"), octagon.cover(degree=3, seed=1)):
+        group, matrices = surface.fundamental_group(), surface.matrices()
+        assert group is surface.fundamental_group() and list(group.generators) == surface.generators()
+        kept = [surface.element(word) for word in matrices["words"]]
+        letters = [group.letters(word) for word in matrices["words"]]
+        places = [letter - 1 for letter, in letters]
+        assert len(kept) == 2 * surface.genus and places == sorted(set(places)) and kept == [group.generators[k] for k in places]
+        for f, product in zip(group.generators, matrices["pairings"]):
+            one = surface.element([])
+            for k in product:
+                one = one * (kept[k - 1] if k > 0 else kept[-k - 1].inverse())
+            assert one == f
+        assert [matrices["pairings"][k] for k in places] == [[k + 1] for k in range(len(kept))]
+        # The relation, in the letters of the group.
+        assert group.element([(places[abs(k) - 1] + 1) * (1 if k > 0 else -1) for k in matrices["relation"]]).is_identity()
+        if len(group.relations) == 1:
+            assert kept == surface.generators() and tuple(matrices["relation"]) == group.relations[0]
+
+
+def test_a_text_in_letters_is_a_path(octagon, bolza):
+    for surface in (octagon, bolza, octagon.cover(degree=3, seed=1)):
+        group, f = surface.fundamental_group(), surface.element("abA")
+        a, b = group.generators[:2]
+        assert f == a * b * a.inverse() == surface.element(f) and surface.reduced("a Aab") == (a * b).word
+        assert surface.curve("ab") == surface.curve(a * b) and surface.curve("ab").word == (a * b).word
+        assert surface.curve("ab").intersections("b") == surface.curve(a * b).intersections(b)
+        assert surface.curves(["ab"])[0].length.overlaps((a * b).translation_length) and not surface.fills(["a", "b"])
+        assert group.letters("aAb") == (2,)
+    a = octagon.generators()[0]
+    assert octagon.dehn_twist("a", 2) == octagon.dehn_twist(a, 2) and octagon.dehn_twist_words("a") == octagon.dehn_twist_words(a)
+    assert octagon.twist("a", "1/10") == octagon.twist(a, "1/10")
+    assert [cuff.length.ends for cuff in octagon.pants(["a"]).cuffs] == [cuff.length.ends for cuff in octagon.pants([a]).cuffs]
+    f = octagon.mapping_class([("a", 2)])
+    assert f == octagon.mapping_class([(a, 2)]) == octagon.mapping_class("(a)^2") and f("b") == f(octagon.generators()[1])
+    theta = Surface.fenchel_nielsen(lengths=2, twists=0, graph="theta")
+    assert theta.gradient("a").length.ends == theta.gradient(theta.generators()[0]).length.ends
+
+
+def test_a_wrong_letter_is_named(octagon):
+    for ask, name in (
+        (octagon.element, "word"), (octagon.curve, "word"), (lambda x: octagon.twist(x, 1), "curve"), (lambda x: octagon.curves([x]), "words"),
+        (lambda x: octagon.mapping_class(f"a1 ({x})"), "product"), (octagon.fundamental_group().element, "letters"),
+    ):
+        with pytest.raises(epsnet.ArgumentError) as caught:
+            ask("abEA")
+        assert caught.value.place == name and caught.value.reason == (
+            "letter 2 of the word is 'E', expected a letter from a to d, or from A to D for an inverse"
+        )
+    with pytest.raises(epsnet.ArgumentError, match="letters: letter 1 of the word is 5, expected an integer from 1 to 4, or from -4 to -1"):
+        octagon.fundamental_group().element([1, 5])
+    large = Surface.regular(14)
+    assert large.element("x27 X27").is_identity() and large.element("x27") == large.generators()[26]
+    with pytest.raises(epsnet.ArgumentError, match="word: letter 0 of the word is 'abAB', expected x1 to x28, or X1 to X28 for an inverse, with"):
+        large.element("abAB")

@@ -1,4 +1,5 @@
 """Surfaces, and the numbers that describe them."""
+import copy
 import pickle
 import re
 from fractions import Fraction
@@ -278,12 +279,44 @@ def test_names_and_areas(octagon, tmp_path):
     for surface, name in names.items():
         assert surface.name == name and repr(surface) == f"<Surface {name}, genus {surface.genus}>"
         assert surface.area.proved and 4 * np.pi * (surface.genus - 1) in surface.area and surface.area.width < 1e-14 * surface.genus
-    klein.save(tmp_path / "klein.json")
-    again = Surface.load(tmp_path / "klein.json")
-    assert again == klein and again.name == "" and repr(again) == "<Surface that is a map of type {7, 3}, genus 3>"
-    Surface.regular(4).save(tmp_path / "regular.json")
-    assert repr(Surface.load(tmp_path / "regular.json")) == "<Surface regular(4), genus 4>"
     assert repr(Surface(octagon.tiles, octagon.gluing)) == "<Surface of 1 tile, genus 2>"
+    glued = Surface.map([(k + 1) % 8 for k in range(8)], [(k + 4) % 8 for k in range(8)])
+    assert glued.name == "" and repr(glued) == "<Surface regular(2), genus 2>"
+
+
+def test_names_of_what_is_made_of_numbers(octagon, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    klein, matrices = Surface.named("klein"), octagon.matrices()
+    klein.save("x.json")
+    klein.systole().save("systole.json")
+    thin = Surface.fenchel_nielsen([1, 0.5, "2*log(3)"], "1/10", [(0, 0), (0, 1), (1, 1)])
+    names = [
+        (Surface.fenchel_nielsen(lengths=(1, 2, 3), twists=(0, 0, 0)), "fenchel_nielsen(lengths=(1, 2, 3), twists=(0, 0, 0))"),
+        (thin, "fenchel_nielsen(lengths=(1, 0.5, '2*log(3)'), twists='1/10', graph='0-0 0-1 1-1')"),
+        (Surface.fenchel_nielsen(np.arange(1, 31), 0, "ring", seed=2), "fenchel_nielsen(lengths=(1, 2, 3, …, 29, 30), twists=0, graph='ring', seed=2)"),
+        (Surface.load("x.json"), "load('x.json')"), (epsnet.load("x.json"), "load('x.json')"), (Surface.load("systole.json"), "load('systole.json')"),
+        (octagon.twist([0], "1/10"), "octagon(seed=123).twist((0,), '1/10')"), (octagon.twist("a", 2), "octagon(seed=123).twist('a', 2)"),
+        (octagon.dehn_twist("bA", -2), "octagon(seed=123).dehn_twist('bA', power=-2)"),
+        (octagon.mapping_class([("a", 1), ([1], 2)]).marking(), "octagon(seed=123).marking((((4,), 1), ((1,), 2)))"),
+        (Surface(octagon.tiles, octagon.gluing).dehn_twist("a"), "surface.dehn_twist('a', power=1)"),
+        (Surface.from_matrices(matrices["generators"], matrices["relation"]), "from_matrices(4 matrices)"),
+        (Surface.from_matrices(klein.matrices()["generators"], tiles=(7, 3)), "from_matrices(6 matrices, tiles=(7, 3))"),
+    ]
+    for surface, name in names:
+        assert surface.name == name and repr(surface) == f"<Surface {name}, genus {surface.genus}>"
+        for again in (pickle.loads(pickle.dumps(surface)), copy.copy(surface), copy.deepcopy(surface)):
+            assert again == surface and again.name == name
+    assert repr(epsnet.load("systole.json").surface) == "<Surface that is a map of type {7, 3}, genus 3>"  # Where it came from is not known.
+    assert octagon.pants().fenchel_nielsen().name.startswith("fenchel_nielsen(lengths=(")
+    assert octagon.maximize_systole(steps=1).surface.name == "octagon(seed=123).maximize_systole()"
+    # In the middle of what is long something is left out.
+    long = thin
+    for _ in range(20):
+        long = long.dehn_twist("a", 1)
+    assert len(long.name) == 100 and long.name.startswith("fenchel_nielsen(") and "…" in long.name and long.name.endswith("dehn_twist('a', power=1)")
+    path = tmp_path / ("long" * 20 + ".json")
+    klein.save(path)
+    assert len(Surface.load(path).name) < 60 and Surface.load(path).name.endswith("long.json')")
 
 
 def test_points_are_printed_with_twelve_digits(octagon, bolza):

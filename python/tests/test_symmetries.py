@@ -101,8 +101,12 @@ def test_undecided_is_not_no(octagon):
     def product(f, g):
         return [[sum(f[i][k] * g[k][j] for k in range(2)) for j in range(2)] for i in range(2)]
 
-    assert matrices["relation"] == [1, 2, 3, 4, -1, -2, -3, -4]
-    w = product(product(*generators[1:3]), generators[3])
+    def inverse(f):
+        (a, b), (c, d) = f
+        return [[d, -b], [-c, a]]
+
+    assert matrices["relation"] == [1, -2, 3, -4, -1, 2, -3, 4]
+    w = product(product(inverse(generators[1]), generators[2]), inverse(generators[3]))
     size = 10**200 * max(abs(x) for row in w for x in row)
     near = [[w[0][0] + size, w[0][1]], [w[1][0], w[1][1] + size]]
     twisted = Surface.from_matrices([product(generators[0], near), *generators[1:]])

@@ -54,6 +54,11 @@ TEST(Matrices, OfASurfaceMakeTheSameSurface) {
   }
 }
 
+TEST(Matrices, OfAnOctagonAreItsSidePairings) {
+  EXPECT_EQ(parse_matrices(write_matrices(random_octagon(3))).relation,
+            (std::vector<std::int32_t>{1, -2, 3, -4, -1, 2, -3, 4}));
+}
+
 TEST(Matrices, NeedNoRelation) {
   MatrixGenerators matrices = parse_matrices(write_matrices(random_octagon(5)));
   matrices.relation.clear();
