@@ -174,7 +174,7 @@ std::string twelve_digits(const Rational& x) {
 std::string point_text(const BasePoint& point) {
   const std::string tile = to_string(point.tile) + ',';
   std::string exact = tile + point.z.x.str() + ',' + point.z.y.str();
-  constexpr std::size_t kLongest = 40;
+  constexpr std::size_t kLongest = 24;
   if (exact.size() <= kLongest) return exact;
   return tile + twelve_digits(point.z.x) + ',' + twelve_digits(point.z.y) + ", rounded";
 }

@@ -767,7 +767,7 @@ grep -q '^P: .* 0,-0\.0[0-9]*,0\.0[0-9]*, rounded$' "$messages" || complain "a p
 brought distance s.json 0,0.9,0.3 0 -o x.json
 verified x.json
 cp output moved
-good distance s.json 0,0.9,0.3 0 --json
+brought distance s.json 0,0.9,0.3 0 --json
 there=$(sed 's/.*"p":{"tile":\([0-9]*\),"x":"\([^"]*\)","y":"\([^"]*\)"}.*/\1,\2,\3/' output)
 good distance s.json "$there" 0
 same output moved
