@@ -142,7 +142,7 @@ Ball cosine_between(const Surface& surface, const Word& first, const Word& secon
     const auto u = unit_normal(surface, first);
     const auto v = unit_normal(surface, second);
     if (!u || !v) continue;
-    const Ball cosine = lorentz_product(*u, *v);
+    Ball cosine = lorentz_product(*u, *v);
     const certify::Interval ends = certify::outer_interval(cosine);
     if (ends.upper - ends.lower < kWidth && ends.upper < 1 && ends.lower > -1) return cosine;
   }

@@ -660,11 +660,13 @@ std::vector<std::vector<Interval>> bands(const Surface& surface, const std::vect
                              .progress = options.progress};
   check(of_each, surface.genus());
   std::vector<ById<SideId, Rational>> phases;
+  phases.reserve(points.size());
   for (const TorusPoint& point : points) phases.push_back(phases_of_sides(surface, point));
   SharedNet net(surface, of_each);
   const unsigned threads = certify::thread_count(options.threads);
   const auto in_each = static_cast<unsigned>(std::max<std::size_t>(1, threads / points.size()));
   std::vector<Search> searches;
+  searches.reserve(phases.size());
   for (const ById<SideId, Rational>& of_point : phases) searches.emplace_back(net, of_each, of_point, in_each);
   run_all(net, searches, of_each);
   std::mutex mutex;

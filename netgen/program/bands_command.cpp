@@ -85,7 +85,7 @@ TorusPath path_of(const BandsRequest& request, const Surface& surface) {
     }
     if (corners.empty()) throw UsageError("--between: expected points with commas between them, as in G,1/2:0:0:0");
     for (const TorusPoint& corner : corners) {
-      if (corner.size() == 2 * surface.genus()) continue;
+      if (corner.size() == 2 * std::size_t{surface.genus()}) continue;
       throw JobError("--between: expected " + std::to_string(2 * surface.genus()) + " phases for each point, not " +
                      std::to_string(corner.size()));
     }

@@ -29,7 +29,7 @@ struct ExactLength {
 /// Reads n*arcosh(x), n*arsinh(x) or n*log(x) with n a fraction, also in front of or behind it as in arcosh(x)/2, of
 /// which the denominator is a power of 2. Returns nullopt if none of the three functions is in the text. Throws
 /// SurfaceError, which says what is wrong.
-[[nodiscard]] std::optional<ExactLength> parse_exact_length(std::string_view text);
+[[nodiscard]] std::optional<ExactLength> parse_exact_length(std::string_view given);
 
 /// cosh(factor·length) as a text of NumberFieldReader. Requires: a denominator of the factor that is a power of 2.
 [[nodiscard]] std::string cosh_text(const ExactLength& length, const Rational& factor);
@@ -180,7 +180,7 @@ struct FenchelNielsenRequest {
 
 /// Returns the coordinates of a request. Checks the given values before it requires a seed. Throws
 /// FenchelNielsenRequestError.
-[[nodiscard]] FenchelNielsen resolve(const FenchelNielsenRequest& request);
+[[nodiscard]] FenchelNielsen resolve(const FenchelNielsenRequest& given);
 
 /// Reads a request from the text of a JSON object with some of the members "graph", "genus", "seed", "lengths",
 /// "twists"; numbers are exact decimals, bare or in strings. Or from a pants file (docs/format.md), of which the
