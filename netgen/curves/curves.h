@@ -247,8 +247,8 @@ struct LengthDerivatives {
 /// not make it, heptagons with about these coordinates stand beside it, and which of their paths is the given one is
 /// found with 512 bits, not proved.
 ///
-/// Throws as above, SurfaceError if the path is not closed, or null-homotopic, LimitError also if the path is not found again, and as fenchel_nielsen_surface and
-/// pants_decomposition. Time is that of the pants of the heptagons.
+/// Throws as above, SurfaceError if the path is not closed, or null-homotopic, LimitError also if the path is not found
+/// again, and as fenchel_nielsen_surface and pants_decomposition. Time is that of the pants of the heptagons.
 [[nodiscard]] LengthDerivatives length_derivatives(const Surface& surface, const PantsDecomposition& pants,
                                                    const Word& word, bool second = false, unsigned threads = 0);
 

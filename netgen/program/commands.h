@@ -90,8 +90,8 @@ void add_progress(CLI::App& command);
 /// One that is outside of its tile is brought to the tile that contains it, with a line on standard error that says so.
 /// Throws UsageError if the text names no point, JobError if the surface has none there.
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& name = "--base");
-/// Returns a point as parse_base reads it, exactly, if that is short. Else its coordinates have 12 digits, and ", rounded"
-/// follows: where a walk led, around short curves, they may have thousands.
+/// Returns a point as parse_base reads it, exactly, if that is short. Else its coordinates have 12 digits, and
+/// ", rounded" follows: where a walk led, around short curves, they may have thousands.
 [[nodiscard]] std::string point_text(const BasePoint& point);
 /// Returns the same as an object: the tile, and the coordinates as texts of rationals.
 [[nodiscard]] Json point_json(const BasePoint& point);

@@ -472,7 +472,7 @@ void add_bound_command(CLI::App& app, Job& chosen, const char* name, const char*
   add_json(*command, shared->json);
   command->footer(std::string("Example:\n  epsnet ") + name +
                   " s.json --width 1e-3 -o bound.json && certify bound.json\n\n"
-                  "The points that are printed have 12 digits; those of --json are exact.");
+                  "The points that are printed have 12 digits; those of --json are fractions.");
   command->callback([&chosen, shared, make] { chosen = [shared, make] { enclose(*shared, make); }; });
 }
 
