@@ -54,6 +54,8 @@
   try {
     expect(byId('panel').hidden === (isSmall || innerHeight <= 480), 'the panel is open where there is no room for it, or closed where there is');
     byId('panel').hidden || byId('toggle').click();
+    const folds = innerWidth <= 860;
+    expect(byId('legend').open === !folds && isShown(byId('legend').querySelector('summary')) === folds, 'the legend is folded where there is room for it, or open where there is none');
     for (const scheme of ['light', 'dark']) {
       byId('scheme').value = scheme;
       byId('scheme').dispatchEvent(new Event('change'));

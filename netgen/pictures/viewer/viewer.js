@@ -5,7 +5,7 @@ const $ = id => document.getElementById(id);
 
 const kPictureParts = `
   <canvas id="view" tabindex="0" role="application" aria-label="The triangulation in the Poincaré disk, a picture to travel in" aria-describedby="keys"></canvas>
-  <ul id="legend" class="card" aria-label="Legend"></ul>
+  <details id="legend" class="card"><summary>Legend</summary><ul aria-label="Legend"></ul></details>
   <div id="hover" class="card"></div>
   <p id="status" class="card" role="status"></p>
   <div id="tools" role="group" aria-label="Point of view">
@@ -85,6 +85,7 @@ function markOf(entry) {
 }
 
 const systemIsDark = matchMedia('(prefers-color-scheme: dark)');
+const isNarrow = matchMedia('(max-width: 860px)');  // Then the legend would hide the picture, so it folds (viewer.css).
 
 class Viewer {
   // Fills the elements `picture` and `panel` of the page; one viewer at a time, as they have ids. `onTap(x, y)` hears of points of the disk
@@ -92,6 +93,7 @@ class Viewer {
   // The new viewer shows the part that `before`, one of the same triangulation, showed.
   constructor(picture, panel, net, {onTap = () => false, onSelect = () => {}, before = null} = {}) {
     const kept = before && before.state(), schemeOfBefore = $('scheme') ? $('scheme').value : '';
+    const isLegendOpen = $('legend') ? $('legend').open : !isNarrow.matches;
     picture.innerHTML = kPictureParts;
     panel.innerHTML = kPanelParts;
     this.net = net;
@@ -103,6 +105,7 @@ class Viewer {
         if (g !== null) this.choose(g);
       }});
     this.onSelect = onSelect;
+    $('legend').open = isLegendOpen;
     if (kept) this.restore(kept);
     this.fillPanel();
     this.listen();
@@ -146,7 +149,9 @@ class Viewer {
     box.style.top = Math.max(0, Math.min(y + 14, this.drawing.height - box.offsetHeight - 4)) + 'px';
   }
   fillLegend() {
-    $('legend').replaceChildren(...this.drawing.legendEntries().map(entry => {
+    const entries = this.drawing.legendEntries();
+    $('legend').hidden = entries.length === 0;
+    $('legend').querySelector('ul').replaceChildren(...entries.map(entry => {
       const row = document.createElement('li');
       row.append(markOf(entry), entry.name);
       return row;
@@ -176,6 +181,7 @@ class Viewer {
     $('home').onclick = () => travel.goHome();
     $('scheme').onchange = () => this.setScheme();
     systemIsDark.onchange = () => this.setScheme();
+    isNarrow.onchange = () => { $('legend').open = !isNarrow.matches; };
     const savePicture = (make, extension) => {
       travel.endHover();
       this.say(`saved as ${save(make(), this.net.data.title, extension)}`);
