@@ -60,7 +60,9 @@ test("geodesics, distances, bounds, eigenvalues", async () => {
   assert(distance.value[0] > 0);
   assert.match(await net.svg({ layers: [systole, distance] }), /^<svg /);
   assert.equal((await net.locate(distance.q)).place, "inside");
-  assert.equal((await surface.diameter({ width: 0.1 })).certificate.verdict, "VERIFIED");
+  const diameter = await surface.diameter({ width: 0.1 });
+  assert.equal(diameter.certificate.verdict, "VERIFIED");
+  assert((await surface.distance(diameter.p, { tile: 0 })).value[1] <= diameter.value[1]);
   const eigenvalues = await surface.eigenvalues({ count: 1, digits: 3 });
   assert(eigenvalues.eigenvalues[0].count >= 1 && eigenvalues.next > eigenvalues.eigenvalues[0].in[0]);
   assert.match(await eigenvalues.eigenfunctionSvg(1), /class="nodal-lines"/);

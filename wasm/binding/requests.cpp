@@ -429,7 +429,8 @@ Answer find_bound(const Members& members, const Progress& progress) {
   const certify::BoundDocument found = what == "diameter" ? unproved::diameter(surface, options)
                                        : what == "radius" ? unproved::radius(surface, options)
                                                           : unproved::largest_embedded_disk(surface, options);
-  return proved(found, Json::object({{"value", interval_json(found.value)}}), progress);
+  const BasePoint p = point_of_vertex(surface, found.net, 0);
+  return proved(found, Json::object({{"value", interval_json(found.value)}, {"p", point_json(p)}}), progress);
 }
 
 Answer measure_distance(const Members& members, const Progress& progress) {

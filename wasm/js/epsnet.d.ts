@@ -18,13 +18,15 @@ export interface JobOptions {
 
 /** The object of `certify --json` (docs/exchange-formats.md), and the text that `certify` prints. */
 export interface Certificate {
-  /** Null if there is none: see `error`. */
+  /** Null if there is none: see `error` and `no_claim`. */
   verdict: Verdict | null;
   file: string;
   sha256?: string;
   rule?: string;
   message?: string;
   error?: string;
+  /** Why the file claims nothing, as one of a surface does. */
+  no_claim?: string;
   second_checker?: { verdict: Verdict; rule: string; message: string } | null;
   verified_by?: string[];
   claim?: string;
@@ -73,6 +75,8 @@ export interface Geodesics extends ProvedFile {
 }
 export interface Bound extends ProvedFile {
   readonly value: Interval;
+  /** A point where the function is at least the lower end of `value`; for a radius, at most the upper end. */
+  readonly p: { tile: number; z: [string, string] };
 }
 export interface Distance extends ProvedFile {
   readonly value: Interval;
