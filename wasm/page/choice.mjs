@@ -3,10 +3,10 @@
 const kFields = {octagon: ['seed'], named: ['name'], 'fenchel-nielsen': ['genus', 'graph', 'lengths', 'twists']};
 const kNumber = /^-?[0-9.eE/+-]{1,40}$/;
 const kForms = {
-  seed: /^[0-9]{1,10}$/, name: /^[a-z0-9-]{1,40}$/, genus: /^[2-4]$/, graph: /^(chain|ring|tree|theta|[0-5]-[0-5]( [0-5]-[0-5]){2,8})$/, epsilon: kNumber, kind: /^(net|sparse|pseudo)$/,
+  seed: /^[0-9]{1,10}$/, name: /^[A-Za-z0-9.-]{1,40}$/, genus: /^[2-4]$/, graph: /^(chain|ring|tree|theta|[0-5]-[0-5]( [0-5]-[0-5]){2,8})$/, epsilon: kNumber, kind: /^(net|sparse|pseudo)$/,
   lengths: kNumber, twists: kNumber};
 const kExpected = {
-  seed: 'an integer', name: 'a name, such as bolza or wiman-7', genus: '2, 3 or 4', graph: 'chain, ring, tree, theta or edges such as 0-1 0-1 0-1', epsilon: 'a number, such as 0.1 or 1/10',
+  seed: 'an integer', name: 'a name, such as bolza, wiman-7 or R2.1', genus: '2, 3 or 4', graph: 'chain, ring, tree, theta or edges such as 0-1 0-1 0-1', epsilon: 'a number, such as 0.1 or 1/10',
   kind: 'net, sparse or pseudo', lengths: 'numbers', twists: 'numbers'};
 
 // Steps from a surface to another one, in the order of the parts of their texts: cover:2:1, twist:0.3.5:1/2, dehn-twist:0.3.5:-1.
@@ -37,18 +37,25 @@ export function toHash(chosen) {
   return fields.map(field => `${field}=${[].concat(chosen[field]).map(encodeURIComponent).join(',')}`).join('&');
 }
 
+// The genus of a map of Conder's census, as R2.1 or C7.1, or of the member of a family, as wiman-7; else undefined.
+export const genusOfMap = name => /^[RC]([0-9]+)[.]/.exec(name)?.[1];
+const genusOfMember = name => /-([0-9]+)$/.exec(name)?.[1];
+
 const kDefaults = {seed: '123', genus: '2', graph: 'chain', epsilon: '0.1', kind: 'net'};
 
-// The choice that an address describes, with `missing`, the fields that it does not have and that are those of kDefaults, lengths 2 and twists 0;
-// null if it describes none. Throws an Error that says which value is wrong. Other people make addresses: each value must have its form.
+// The choice that an address describes, with `missing`, the fields that it does not have and that are those of kDefaults, lengths 2 and twists 0,
+// and `unknown`, those that mean nothing for this surface; null if it describes none. Throws an Error that says which value is wrong.
+// Other people make addresses: each value must have its form.
 export function fromHash(hash) {
   const values = new URLSearchParams(hash);
   if (hash === '' || values.has('file')) return null;
   const wrong = (field, value, expected) => new Error(`This link does not work: ${field}=${String(value).slice(0, 40)}, expected ${expected}`);
   const surface = values.get('surface') ?? Object.keys(kFields).find(kind => kFields[kind].some(field => values.has(field)));
   if (!Object.hasOwn(kFields, surface)) throw wrong('surface', surface ?? '', Object.keys(kFields).join(', '));
-  const chosen = {surface, missing: []};
-  for (const field of [...kFields[surface], 'epsilon', 'kind']) {
+  const fields = [...kFields[surface], 'epsilon', 'kind'];
+  const unknown = [...new Set(values.keys())].filter(name => !['surface', 'steps', ...fields].includes(name)).map(name => name.slice(0, 40));
+  const chosen = {surface, missing: [], unknown};
+  for (const field of fields) {
     const isList = field === 'lengths' || field === 'twists', count = 3 * chosen.genus - 3, text = values.get(field);
     if (text === null && field === 'name') throw wrong('name', '', 'the name of a surface, such as bolza');
     if (text === null) chosen.missing.push(field);
@@ -115,7 +122,7 @@ const kGenus = {bolza: 2, klein: 3, 'fermat-quartic': 3, bring: 4, 'fricke-macbe
 // How many vertices a net has, roughly: 2.15 times the lower bound (docs/design.md), its area over that of a disk of radius ε. Thin parts are not counted.
 export function estimatedVertices(chosen) {
   const [numerator, denominator] = chosen.epsilon.split('/'), epsilon = Number(numerator) / Number(denominator ?? 1);
-  const genus = Number(chosen.genus ?? kGenus[chosen.name] ?? /-([0-9]+)$/.exec(chosen.name)?.[1] ?? 2);
+  const genus = Number(chosen.genus ?? kGenus[chosen.name] ?? genusOfMap(chosen.name) ?? genusOfMember(chosen.name) ?? 2);
   const sheets = (chosen.steps ?? []).reduce((product, text) => product * (stepOf(text).degree ?? 1), 1);
   if (!(epsilon > 0) || !Number.isFinite(genus)) return 0;  // The module says what is wrong.
   return 2.15 * sheets * (genus - 1) / Math.sinh(epsilon / 2) ** 2;

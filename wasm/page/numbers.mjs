@@ -25,6 +25,13 @@ export function number([lower, upper]) {
   return `in [${lower}, ${upper}]`;
 }
 
+// A fraction such as "-19499/32768", rounded to 12 digits after the point.
+export function decimal(fraction) {
+  const [numerator, denominator] = [...fraction.split('/'), '1'].map(BigInt), twelve = 10n ** 12n;
+  const size = numerator < 0n ? -numerator : numerator, rounded = (2n * size * twelve + denominator) / (2n * denominator);
+  return String(Number(`${numerator < 0n ? '-' : ''}${rounded}e-12`));
+}
+
 // "21 × 3.93594624883", for each of the numbers in their order; those whose enclosures meet are one line.
 export function grouped(enclosures) {
   const groups = [];
