@@ -6,6 +6,7 @@ cancels, follows links, asks questions, and uses nothing but the keyboard. With 
 """
 import argparse
 import base64
+import fractions
 import functools
 import hashlib
 import http.server
@@ -128,6 +129,11 @@ class Page:
             for (const byte of new Uint8Array(await file.arrayBuffer())) text += String.fromCharCode(byte);
             return btoa(text)"""))
 
+    def place_of_work(self) -> str:
+        """After what progress and Cancel stand: its id, or the ids of the buttons in it."""
+        return self.run("""const place = document.getElementById('work').previousElementSibling;
+            return place.id || [...place.querySelectorAll('button')].map(button => button.id).join(' ')""")
+
     def keep(self, name: str) -> None:
         if self.pictures is not None:
             (self.pictures / f"{self.browser.name}-{self.size[0]}-{name}.png").write_bytes(self.browser.picture())
@@ -142,6 +148,11 @@ def first_net(page: Page, certify: str) -> None:
     page.expect(visible[0] == "" or visible[1], "a verdict before anything was proved")
     page.rest("the example")
     page.expect(page.text("verdict") == "VERIFIED" and "An example, octagon 123" in page.text("work-text"), f"the example: {page.text('work-text')}")
+    page.expect(page.place_of_work() == "buttons", f"progress of a net is after {page.place_of_work()}")
+    is_open = page.run("return document.getElementById('legend').open && document.querySelector('#legend ul').getClientRects().length > 0")
+    page.expect(is_open == (page.size[0] > 860), "the legend does not fold on a small screen, or does on a large one")
+    if not is_open:
+        page.run("document.querySelector('#legend summary').click()")
     page.expect(page.run("return document.activeElement === document.body && location.hash === ''"), "the example took the focus or the address")
     page.set("seed", "124")
     page.click("start")
@@ -156,6 +167,7 @@ def first_net(page: Page, certify: str) -> None:
     page.expect(answer.returncode == 0, f"the program says of the saved net: {answer.stdout.decode()[-200:]}")
     page.expect(page.saved("Save the certificate").decode().splitlines()[-1] == "VERIFIED", "the saved certificate")
     page.expect(re.match("[0-9]{3,} triangles in view", page.text("status")), f"the picture says {page.text('status')}")
+    page.expect(page.run("return document.getElementById('legend').open"), "the legend that was opened is not open on the next picture")
     page.keep("verified")
     page.expect(kDeferred not in Handler.requested, "the first net loaded the whole module")
     page.expect(page.run("""return performance.getEntriesByType('resource').every(entry => new URL(entry.name).origin === location.origin || entry.name.startsWith('data:'))"""),
@@ -176,6 +188,7 @@ def questions(page: Page) -> None:
     page.click("systole")
     page.rest("the systole")
     page.expect(kDeferred in Handler.requested, "the systole did not load the rest of the module")
+    page.expect("systole" in page.place_of_work(), f"progress of the systole is after {page.place_of_work()}")
     page.expect("closed geodesic" in page.text("answered") and "VERIFIED" in page.text("answered"), f"the systole: {page.text('answered')} {page.text('problem')}")
     page.expect(page.run("return document.getElementById('geodesics').options.length > 0"), "the systole is not drawn")
     page.click("take")
@@ -210,6 +223,60 @@ def questions(page: Page) -> None:
         return document.getElementById('answered').textContent.includes('What a closed geodesic meets')"""), "a geodesic that is clicked")
     page.rest("what the geodesic that is clicked meets")
     page.expect("curve 0: length" in page.text("answered"), f"a geodesic that is clicked: {page.text('answered')[:300]} {page.text('problem')}")
+
+
+def eigenvalues(page: Page) -> None:
+    """Eigenvalues, and eigenfunctions of those that are simple. Progress and Cancel are where the question was asked."""
+    page.open("#seed=5&epsilon=0.5")
+    ask = lambda digits: (page.set("digits", digits), page.click("eigenvalues"))
+    ask("9")
+    page.expect(page.place_of_work() == "eigenvalues", f"progress of eigenvalues is after {page.place_of_work()}")
+    page.expect(page.run("const {left, right, width} = document.getElementById('cancel').getBoundingClientRect(); return width > 0 && left >= 0 && right <= innerWidth"),
+                "Cancel cannot be seen")
+    page.keep("asked")
+    page.click("cancel")
+    page.rest("eigenvalues that are cancelled")
+    page.expect("cancelled" in page.text("work-text") and page.place_of_work() == "eigenvalues", f"cancelled: {page.text('work-text')}")
+    page.set("count", "2")
+    ask("2")
+    page.rest("eigenvalues of two digits")
+    page.expect("from 3 digits on" in page.text("answered") and "Draw the" not in page.text("answered"), f"eigenfunctions of two digits: {page.text('answered')[:300]}")
+    ask("3")
+    page.rest("eigenvalues of three digits")
+    page.expect("λ₁ is " in page.text("answered"), f"eigenvalues: {page.text('answered')[:300]} {page.text('problem')}")
+    page.run("[...document.querySelectorAll('#answered button')].find(button => button.textContent === 'Draw the eigenfunction of λ₁').click()")
+    page.expect(page.run("return document.getElementById('work').closest('article') !== null"), "progress of an eigenfunction is not with its eigenvalue")
+    page.rest("an eigenfunction")
+    page.expect("The eigenfunction of λ₁" in page.text("work-text"), f"an eigenfunction: {page.text('work-text')} {page.text('problem')}")
+    page.expect('class="nodal-lines"' in page.saved("Save the picture").decode(), "the picture of an eigenfunction has no nodal lines")
+    wait(lambda: page.run("return document.querySelector('#answered img').naturalWidth > 0"), "the picture of an eigenfunction")
+    page.run("document.querySelector('#answered img').scrollIntoView()")
+    page.keep("eigenfunction")
+    # The first one of Bolza's surface is triple.
+    page.open("#name=bolza&epsilon=0.5")
+    ask("3")
+    page.rest("an eigenvalue of Bolza's surface")
+    page.expect("λ₁ to λ₃ are 3.83" in page.text("answered") and "Draw the" not in page.text("answered"), f"Bolza's eigenvalues: {page.text('answered')[:300]}")
+
+
+def bounds(page: Page) -> None:
+    """Diameter and radius, and where they are attained."""
+    page.open("#seed=5&epsilon=0.5")
+    for id in ("diameter", "radius"):
+        page.click(id)
+        page.rest(id)
+        point = page.run("const point = document.querySelector('#answered details'); return [point.querySelector('summary').textContent, point.querySelector('p').textContent]")
+        rounded, exact = (re.search(pattern, text) for pattern, text in zip((r"at p: tile ([0-9]+), \((.*), (.*)\)$", "^([0-9]+),([-0-9/]+),([-0-9/]+)$"), point))
+        page.expect(rounded and exact, f"the point of the {id}: {point} {page.text('problem')}")
+        if rounded and exact:
+            page.expect(rounded[1] == exact[1] and all(abs(fractions.Fraction(rounded[k]) - fractions.Fraction(exact[k])) <= fractions.Fraction(1, 2 * 10**12) for k in (2, 3)),
+                        f"the point of the {id} is not as its fractions: {point}")
+    page.set("p", point[1])
+    page.set("q", "0")
+    page.click("distance")
+    page.rest("the distance of a point of the radius")
+    page.expect("the distance is " in page.text("answered"), f"the point of a radius is no point: {page.text('problem')}")
+    page.expect("distance" in page.place_of_work(), f"progress of a distance is after {page.place_of_work()}")
 
 
 def symmetries(page: Page) -> None:
@@ -277,6 +344,21 @@ def symmetries(page: Page) -> None:
     page.click("start")
     page.rest("wiman-5")
     page.expect("genus 5" in page.run("return document.getElementById('facts').textContent") or "wiman-5" in page.text("certificate-heading"), "wiman-5")
+    # Maps of the census, by a link and by the form.
+    page.open("#name=R2.1&epsilon=0.5&colour=red")
+    page.expect(page.text("verdict") == "VERIFIED" and "R2.1" in page.text("certificate-heading"), f"R2.1: {page.text('problem')}")
+    page.expect(page.text("of-link") == "not in the link, so as usual: kind; in the link without meaning for this surface: colour",
+                f"fields of a link: {page.text('of-link')}")
+    page.set("map", "C7.1")
+    page.set("epsilon", "0.9")
+    page.click("start")
+    page.rest("C7.1")
+    page.expect(page.text("verdict") == "VERIFIED" and "name=C7.1" in page.run("return location.hash"), f"C7.1: {page.text('problem')}")
+    page.expect(page.text("of-link") == "", "what was said of a link is said of another surface")
+    for name in ("R2.99", "bolzano"):
+        page.open(f"#name={name}")
+        page.expect(f'there is no surface "{name}"' in page.text("problem") and page.text("verdict") == "", f"{name}: {page.text('problem')}")
+        page.expect("epsilon, kind" in page.text("of-link"), "fields of a link to no surface")
     page.open("#genus=2&graph=theta&epsilon=0.5")
     page.expect(page.text("verdict") == "VERIFIED", f"theta: {page.text('problem')}")
     page.set("genus", "3")
@@ -339,6 +421,32 @@ def files(page: Page, data: pathlib.Path) -> None:
     said = page.verdicts()
     page.expect(page.text("verdict") == "VERIFIED" and said.get("certify", "") == said.get("certify-exact", "") == "VERIFIED",
                 f"a pants file is {page.text('verdict')}: {said} {page.text('problem')}")
+    page.expect(page.place_of_work() == "drop", f"progress of a file is after {page.place_of_work()}")
+    # Files that claim nothing, and are of no surface.
+    page.run("document.getElementById('surface').value = 'octagon'; document.querySelector('#surface [value=file]').disabled = true")
+    for name, content in (("domain.json", b'{"format":"epsnet-dirichlet","version":1}'), ("matrices.json", b'{"format":"epsnet-matrices","version":1}'),
+                          ("picture.svg", b'<svg xmlns="http://www.w3.org/2000/svg"></svg>'), ("picture.png", b"\x89PNG\r\n\x1a\n"),
+                          ("page.html", b"<!DOCTYPE html><html></html>"), ("mesh.msh", b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")):
+        page.drop(name, content)
+        claim = page.verdicts().get("claim", "")
+        page.expect(page.text("verdict") == "NO CLAIM" and claim.startswith("none: ") and "claims nothing" in claim, f"{name} is {page.text('verdict')}: {page.verdicts()}")
+        page.expect(page.run("return document.querySelector('.verdict.verified, .verdict.malformed, #verdict.verified') === null"), f"{name} looks like a verdict")
+        page.expect(page.run("return document.getElementById('surface').value === 'octagon' && document.querySelector('#surface [value=file]').disabled"),
+                    f"{name} was opened as a surface")
+    # A domain of CGAL claims nothing, too, and has a surface.
+    page.drop("polygon.txt", (data / "polygons/polygon-g2-small.txt").read_bytes())
+    page.expect(page.text("verdict") == "NO CLAIM" and page.run("return document.getElementById('surface').value") == "file",
+                f"a domain of CGAL is {page.text('verdict')}: {page.text('problem')}")
+    page.click("start")
+    page.rest("a net of it")
+    page.expect(page.text("verdict") == "VERIFIED", f"the net of a domain of CGAL: {page.text('problem')}")
+    # A file that is too large takes the place of what was there.
+    page.run("""const megabyte = new Uint8Array(1e6), data = new DataTransfer();
+        data.items.add(new File([...Array(64).fill(megabyte), 'x'], 'large.json'));
+        document.getElementById('make').dispatchEvent(new DragEvent('drop', {bubbles: true, cancelable: true, dataTransfer: data}))""")
+    page.expect("large.json has more than 64 MB" in page.text("problem") and "certify large.json" in page.text("problem"), f"a large file: {page.text('problem')}")
+    page.expect(page.text("verdict") == "" and page.run("""return ['certificate', 'questions', 'panel'].every(id => document.getElementById(id).hidden) &&
+        document.getElementById('picture').classList.contains('past')"""), "beside a large file there is what was there before")
 
 
 def bad_input(page: Page) -> None:
@@ -384,6 +492,17 @@ def cancel(page: Page) -> None:
     page.expect(page.text("verdict") == "VERIFIED", f"after cancelling: {page.text('verdict')} {page.text('problem')}")
 
 
+def second_checker(page: Page) -> None:
+    """It is not asked about large nets, unless somebody wants it."""
+    page.open("#seed=5&epsilon=0.025")
+    page.expect("more than" in page.verdicts().get("certify-exact", ""), f"the second checker of a large net: {page.verdicts()} {page.text('problem')}")
+    page.run("[...document.querySelectorAll('#certificate-text button')].find(button => button.textContent === 'Ask it').click()")
+    page.expect(page.place_of_work() == "certificate-text", f"progress of the second checker is after {page.place_of_work()}")
+    page.click("cancel")
+    page.rest("the second checker that is cancelled")
+    page.expect("cancelled" in page.text("work-text"), f"the second checker, cancelled: {page.text('work-text')}")
+
+
 def link(page: Page) -> None:
     page.open("#surface=fenchel-nielsen&genus=2&graph=chain&lengths=1.5,2,0.75&twists=0.5,-1,0&epsilon=0.3&kind=sparse")
     page.rest("a link")
@@ -396,6 +515,8 @@ def link(page: Page) -> None:
     page.set("length-0", "1.6")
     page.expect(page.text("of-before") != "", "the form says something else than the picture, and nobody says so")
     page.click("copy-link")
+    wait(lambda: "the link is" in page.text("work-text"), "a link that is copied")
+    page.expect(page.place_of_work() == "buttons", f"that a link is copied is said after {page.place_of_work()}")
     page.expect(page.run("return location.hash") == before.replace("1.5", "1.6"), f"the link is {page.run('return location.hash')}")
 
 
@@ -463,7 +584,7 @@ def run_all(browser, address: str, data: pathlib.Path, certify: str, pictures: p
         browser.resize(*size)
         page = Page(browser, address, size, pictures)
         parts = [lambda: first_net(page, certify), lambda: layout(page), lambda: questions(page), lambda: layout(page), lambda: example_makes_room(page),
-                 lambda: symmetries(page), lambda: layout(page), lambda: files(page, data), lambda: bad_input(page), lambda: cancel(page),
+                 lambda: eigenvalues(page), lambda: layout(page), lambda: bounds(page), lambda: symmetries(page), lambda: layout(page), lambda: files(page, data), lambda: bad_input(page), lambda: cancel(page), lambda: second_checker(page),
                  lambda: link(page), lambda: layout(page), lambda: keyboard(page), lambda: offline(page)]
         for part in parts:
             try:

@@ -1,7 +1,7 @@
 // The page: what is chosen, what is asked of the module, and what is said of the answers. The pictures are those of the viewer (Net, Viewer, save, scheme are its).
 import * as epsnet from './epsnet.mjs';
-import {commandsOf, estimatedVertices, fromHash, kMostVertices, kMostVerticesOfProgram, pointOf, stepOf, surfaceCommands, tellStep, toHash} from './choice.mjs';
-import {grouped, number, rough, subscript} from './numbers.mjs';
+import {commandsOf, estimatedVertices, fromHash, genusOfMap, kMostVertices, kMostVerticesOfProgram, pointOf, stepOf, surfaceCommands, tellStep, toHash} from './choice.mjs';
+import {decimal, grouped, number, rough, subscript} from './numbers.mjs';
 import * as pantsGraph from './pants_graph.mjs';
 
 const form = $('make');
@@ -77,9 +77,12 @@ function fitGraph() {
   if (!fits($('graph').value)) $('graph').value = 'chain';
 }
 
-// Families have a member for each genus: wiman-7.
+// Families have a member for each genus, wiman-7; a census has maps, R2.1.
 const kFamily = /^(wiman|accola-maclachlan)(?:-([0-9]+))?$/;
-const nameChosen = () => kFamily.test($('name').value) ? `${$('name').value}-${$('name-genus').value.trim()}` : $('name').value;
+function nameChosen() {
+  const name = $('name').value;
+  return name === 'map' ? $('map').value.trim() : kFamily.test(name) ? `${name}-${$('name-genus').value.trim()}` : name;
+}
 
 function choice() {
   const value = id => $(id).value.trim(), surface = value('surface');
@@ -89,11 +92,13 @@ function choice() {
 }
 function choose({name, ...chosen}) {
   const [, family, familyGenus] = kFamily.exec(name) ?? [];
-  const values = {...chosen, ...(name !== undefined && {name: family ?? name}), ...(familyGenus !== undefined && {'name-genus': familyGenus})};
+  const isMap = genusOfMap(name) !== undefined;
+  const values = {...chosen, ...(name !== undefined && {name: isMap ? 'map' : family ?? name}), ...(isMap && {map: name}),
+                  ...(familyGenus !== undefined && {'name-genus': familyGenus})};
   // A name or a graph that the list does not have.
   for (const id of ['name', 'graph'])
     if (values[id] !== undefined && ![...$(id).options].some(option => option.value === values[id])) $(id).append(new Option(values[id], values[id]));
-  for (const id of ['surface', 'seed', 'name', 'name-genus', 'genus', 'graph', 'epsilon', 'kind']) if (values[id] !== undefined) $(id).value = values[id];
+  for (const id of ['surface', 'seed', 'name', 'name-genus', 'map', 'genus', 'graph', 'epsilon', 'kind']) if (values[id] !== undefined) $(id).value = values[id];
   steps = chosen.steps ?? [];
   fitGraph();
   fillCuffs();
@@ -109,6 +114,7 @@ function choose({name, ...chosen}) {
 function tellChoice() {
   for (const part of document.querySelectorAll('[data-kind]')) part.hidden = part.dataset.kind !== $('surface').value;
   $('of-genus').hidden = !kFamily.test($('name').value);
+  $('of-map').hidden = $('name').value !== 'map';
   $('steps').replaceChildren(...steps.map(stepRow));
   showGraph();
   const chosen = choice();
@@ -164,7 +170,7 @@ async function work(name, command, job, place = $('buttons')) {
   try {
     await job({signal: running.signal, progress: tellProgress.bind(null, name)});
     const seconds = ((performance.now() - started) / 1000).toFixed(1);
-    $('work-text').textContent = `${name}: ${seconds} seconds${links.length > 0 ? `; ${links.splice(0).join('; ')}` : ''}`;
+    $('work-text').textContent = `${name}: ${seconds} seconds`;
   } catch (error) {
     $('work-text').textContent = '';
     if (running.signal.aborted) $('work-text').textContent = `${name}: cancelled`;
@@ -175,6 +181,11 @@ async function work(name, command, job, place = $('buttons')) {
     setBusy(false);
     if ([$('cancel'), document.body].includes(document.activeElement)) focused.focus({preventScroll: true});  // Keys go on from where they were.
   }
+}
+// Says something where it was asked for; what is going on keeps its place.
+function say(text, place) {
+  if (running === null) place.after($('work'));
+  $('work-text').textContent = text;
 }
 // The bar never goes back: when something begins anew, it only says that there is work.
 let reached = 0;
@@ -256,7 +267,7 @@ function certificateParts({bytes, certificate, info}) {
   const says = ({verdict, rule, message}) => [verdictMark(verdict), message ? ` ${rule ? rule + ': ' : ''}${message}` : ''];
   const second = certificate.second_checker;
   if (certificate.error) row('error', certificate.error);
-  else if (certificate.no_claim) row('claim', 'none: this is a file of a surface. “Make and prove it” makes a net of it.');
+  else if (certificate.no_claim) row('claim', `none: ${certificate.no_claim}`);
   else row('certify', ...says(certificate));
   if (second) row('certify-exact', ...says(second));
   else if (certificate.verdict !== 'MALFORMED' && certificate.verdict) row('certify-exact', ...secondChecker({bytes, certificate, info}, parts));
@@ -275,10 +286,13 @@ function secondChecker({bytes, certificate, info}, parts) {
   const why = /^second checker: (.*)$/m.exec(certificate.text), button = element('button', 'Ask it');
   if (!/more than/.test(why)) return [why === null ? 'not asked' : why[1]];
   button.type = 'button';
-  button.onclick = () => work('The second checker', 'certify --exact FILE', async options => {
-    const asked = await epsnet.certify(bytes, {exact: true, ...options});
-    button.closest('dl').parentElement.replaceChildren(...certificateParts({bytes, certificate: asked, info}));
-  });
+  button.onclick = () => {
+    const place = button.closest('dl').parentElement;
+    work('The second checker', 'certify --exact FILE', async options => {
+      const asked = await epsnet.certify(bytes, {exact: true, ...options});
+      place.replaceChildren(...certificateParts({bytes, certificate: asked, info}));
+    }, place);
+  };
   return [why[1] + ' ', button];
 }
 function showCertificate(file, title, files) {
@@ -294,7 +308,7 @@ function showCertificate(file, title, files) {
 function fileButton(name, make, title, extension) {
   const button = element('button', name);
   button.type = 'button';
-  button.onclick = () => { $('work-text').textContent = `saved as ${save(new Blob([make()]), title, extension)}`; };
+  button.onclick = () => say(`saved as ${save(new Blob([make()]), title, extension)}`, button.closest('.buttons') ?? button);
   return button;
 }
 
@@ -303,7 +317,7 @@ function fileButton(name, make, title, extension) {
 // Whatever happens next, a verdict of before must not stand beside it.
 function forget() {
   current = null;
-  $('of-before').textContent = $('work-text').textContent = '';
+  $('of-before').textContent = $('of-link').textContent = $('work-text').textContent = '';
   for (const id of ['certificate', 'questions', 'panel']) $(id).hidden = true;
   $('verdict').textContent = $('verdict').className = '';
   $('picture').classList.add('past');
@@ -329,17 +343,22 @@ function draw(data, before = null) {
 
 // ---- Questions ----
 
+// What was clicked among the questions, while it is answered to: Safari gives a button that is clicked no focus.
+let clicked = null;
+$('questions').addEventListener('click', event => { clicked = event.target; }, true);
+$('questions').addEventListener('click', () => { clicked = null; });
+
 // Asks for something about the surface; shows the lines that `tell` makes of the answer, and its certificate, if it has one. A file of curves is drawn
 // in the picture of the net, or with `isPicture` the answer in a picture of its own.
 function ask(name, command, question, tell, {isDrawn = false, isPicture = false} = {}) {
-  const asked = current, place = document.activeElement?.closest('#questions .line, #questions .buttons') ?? $('questions-heading');
+  const asked = current, place = clicked?.closest('#questions .line, #questions .buttons') ?? $('questions-heading');
   work(name, command, async options => {
     const file = await question(asked, options), parts = tell(file);
     if (isDrawn && file.geodesics?.length !== 0) {
       draw(await asked.net.viewerData({title: asked.title, layers: [...asked.shown, file], ...options}), viewer);
       asked.shown.push(file);
     }
-    if (isPicture) parts.push(...await pictureOf(file, `${asked.title} ${name}`, options));
+    if (isPicture) parts.push(...pictureOf(await file.svg(options), `${asked.title} ${name}`));
     parts.push(...(file.certificate ? certificateOf(file) : []), fileButton('Save the file', () => file.bytes, `${asked.title} ${name}`, '.json'));
     const article = document.createElement('article');
     article.append(element('h3', name), ...parts.map(part => typeof part === 'string' ? element('p', part) : part));
@@ -352,8 +371,7 @@ function certificateOf(file) {
   details.append(element('summary', 'Certificate'), certificate);
   return [verdictMark(file.certificate.verdict), element('span', ` by ${file.certificate.verified_by.join(' and ')}`), details];
 }
-async function pictureOf(file, title, options) {
-  const svg = await file.svg(options);
+function pictureOf(svg, title) {
   return [Object.assign(new Image(), {alt: title, src: `data:image/svg+xml,${encodeURIComponent(svg)}`}), fileButton('Save the picture', () => svg, title, '.svg')];
 }
 // Curves along which the surface can be cut: those of the answers, each once.
@@ -441,17 +459,41 @@ function askAbout({layer, name}) {
   $('words').value = texts.join(', ');
   if (running === null) askCurves('What a closed geodesic meets', texts.map(wordOf), {isOfFirst: true});
 }
-$('diameter').onclick = () => ask('Diameter', surfaceCommand('epsnet diameter FILE --width 1e-3'),
-    ({surface}, options) => surface.diameter({width: 1e-3, ...options}), file => [`the diameter is ${number(file.value)}`]);
+// The point of a bound: rounded, and exactly, as the fields of points take it.
+function tellPoint({tile, z}) {
+  const details = document.createElement('details'), exact = element('p', `${tile},${z.join(',')}`);
+  details.append(element('summary', `attained, within these bounds, at p: tile ${tile}, (${z.map(decimal).join(', ')})`), exact);
+  return details;
+}
+$('diameter').onclick = () => ask('Diameter', surfaceCommand('epsnet diameter FILE --width 1e-3'), ({surface}, options) => surface.diameter({width: 1e-3, ...options}),
+    file => [`the diameter is ${number(file.value)}`, tellPoint(file.p)]);
+$('radius').onclick = () => ask('Radius', surfaceCommand('epsnet radius FILE --width 1e-2'), ({surface}, options) => surface.radius({width: 1e-2, ...options}),
+    file => [`the radius is ${number(file.value)}`, tellPoint(file.p)]);
 const tellEigenvalues = ({first, count, ...row}) =>
   count === 1 ? `λ${subscript(first)} is ${number(row.in)}` : `λ${subscript(first)} to λ${subscript(first + count - 1)} are ${number(row.in)}`;
 $('eigenvalues').onclick = () => {
   const [count, digits] = ['count', 'digits'].map(id => Number($(id).value));
-  ask(`Eigenvalues of the Laplacian: ${count === 1 ? 'the first' : `the first ${count}`}, ${digits} digits`,
-      surfaceCommand(`epsnet eigenvalues FILE --count ${count} --digits ${digits}`),
-      ({surface}, options) => surface.eigenvalues({count, digits, ...options}),
-      file => [...file.eigenvalues.map(tellEigenvalues), `all others are at least ${file.next}`]);
+  const command = surfaceCommand(`epsnet eigenvalues FILE --count ${count} --digits ${digits}`), {title} = current;
+  ask(`Eigenvalues of the Laplacian: ${count === 1 ? 'the first' : `the first ${count}`}, ${digits} digits`, command,
+      ({surface}, options) => surface.eigenvalues({count, digits, ...options}), file => {
+        const simple = file.eigenvalues.filter(row => row.count === 1);
+        const drawn = digits < kDigitsOfFunctions ? [`eigenfunctions can be drawn from ${kDigitsOfFunctions} digits on`]
+                                                  : simple.map(({first}) => eigenfunctionRow(file, first, command, title));
+        return [...file.eigenvalues.map(tellEigenvalues), `all others are at least ${file.next}`, ...drawn];
+      });
 };
+// A multiple eigenvalue has no function of its own; a file has functions of those that it encloses by them, and the module says of which.
+const kDigitsOfFunctions = 3, kSizeOfFunctions = 400;
+function eigenfunctionRow(file, index, command, title) {
+  const name = `eigenfunction of λ${subscript(index)}`, button = element('button', `Draw the ${name}`), row = element('p', '');
+  button.type = 'button';
+  row.append(button);
+  button.onclick = () => work(`The ${name}`, `${command} -o e.json\nepsnet draw e.json --eigenfunction ${index} --size ${kSizeOfFunctions} -o e.svg`, async options => {
+    const svg = await file.eigenfunctionSvg(index, {size: kSizeOfFunctions, ...options});
+    row.replaceWith(element('p', `the ${name}: blue where it is negative, red where it is positive, the lines where it is 0`), ...pictureOf(svg, `${title} ${name}`));
+  }, row);
+  return row;
+}
 $('distance').onclick = () => {
   try {
     const [p, q] = ['p', 'q'].map(id => pointOf($(id).value.trim(), id));
@@ -548,6 +590,7 @@ function open(file, {isFollowed = false} = {}) {
     entry.disabled = false;
     entry.textContent = $('file-name').textContent = `the file ${file.name}`;
     choose({surface: 'file'});
+    if (certificate.no_claim) $('certificate-text').append(element('p', 'Its surface is in the form: “Make and prove it” makes a net of it.'));
     const net = new epsnet.Net({files: [bytes, new Uint8Array()], certificate});
     if (certificate.claim) await show({net, surface, chosen, title}, options).catch(unless);
   }, $('drop'));
@@ -593,14 +636,13 @@ $('copy-link').onclick = async () => {
   history.replaceState(null, '', '#' + toHash(chosen));
   try {
     await navigator.clipboard.writeText(location.href);
-    $('work-text').textContent = 'the link is copied';
+    say('the link is copied', $('buttons'));
   } catch (error) {
-    $('work-text').textContent = `the link is the address of this page now: ${location.href}`;
+    say(`the link is the address of this page now: ${location.href}`, $('buttons'));
   }
 };
 
 // A link makes its net; the way back leads to surfaces and files of before.
-const links = [];  // What is to be said of a link when its net is there.
 function follow() {
   const hash = location.hash.slice(1), file = /^file=([0-9]+)$/.exec(hash);
   if (running !== null) running.abort();
@@ -614,13 +656,19 @@ function follow() {
   try {
     const chosen = fromHash(hash);
     if (chosen === null) return showExample();
-    if (chosen.missing.length > 0) links.push(`not in the link, so as usual: ${chosen.missing.join(', ')}`);
     choose(chosen);
-    afterWork(() => make({isFollowed: true}));
+    afterWork(() => {
+      make({isFollowed: true});
+      $('of-link').textContent = tellLink(chosen);
+    });
   } catch (error) {
     forget();
     $('problem').textContent = error.message;
   }
+}
+function tellLink({missing, unknown}) {
+  const tell = (what, fields) => fields.length > 0 ? [`${what}: ${fields.join(', ')}`] : [];
+  return [...tell('not in the link, so as usual', missing), ...tell('in the link without meaning for this surface', unknown)].join('; ');
 }
 // On arrival something is there to be looked at.
 function showExample() {
