@@ -1,6 +1,6 @@
 // node choice_test.mjs: what a link means, and numbers as the page writes them. Needs no module.
 import assert from 'node:assert/strict';
-import {commandsOf, estimatedVertices, fromHash, kMostVertices, kMostVerticesOfProgram, stepOf, surfaceCommands, tellStep, toHash} from '../../wasm/page/choice.mjs';
+import {commandsOf, costOf, estimatedVertices, fromHash, kMostVertices, kMostVerticesOfProgram, stepOf, surfaceCommands, tellStep, toHash} from '../../wasm/page/choice.mjs';
 import {decimal, grouped, number, rough, subscript} from '../../wasm/page/numbers.mjs';
 import {curves, layout} from '../../wasm/page/pants_graph.mjs';
 
@@ -53,6 +53,14 @@ assert.equal(rough(1234.4), '1,234');
 assert.equal(rough(3214321), '3.2 million');
 assert.match(commandsOf({surface: 'octagon', seed: '5', epsilon: '0.1', kind: 'net'}), /^epsnet surface octagon --seed 5 -o s.json\nepsnet net s.json --epsilon 0.1 -o net.json/);
 
+// Times are those of some questions, for small genera; of others nothing is said.
+assert.match(costOf('systole', {genus: 2}), /^[0-9]+ s$/);
+assert.match(costOf('eigenvalues', {genus: 3, count: '1', digits: '3'}), /^[0-9]+ s$/);
+assert.match(costOf('spectrum', {genus: 2, upTo: '5'}), /^[0-9]+ s$/);
+for (const [question, about] of [['systole', {genus: 7}], ['systole', {}], ['eigenvalues', {genus: 2, count: '5', digits: '3'}], ['eigenvalues', {genus: 2, count: '1', digits: 'x'}], ['eigenvalues', {genus: 3, count: '1', digits: '9'}],
+                                 ['spectrum', {genus: 2, upTo: '9'}], ['spectrum', {genus: 2, upTo: 'x'}], ['dehn-twist', {genus: 2}]])
+  assert.equal(costOf(question, about), '');
+
 // Steps lead from one surface to another one, on the page and in the commands.
 assert.deepEqual(stepOf('cover:12:7'), {kind: 'cover', degree: 12, seed: 7});
 assert.deepEqual(stepOf('twist:0.3.5:-1/2'), {kind: 'twist', word: [0, 3, 5], by: '-1/2'});
@@ -82,10 +90,10 @@ assert.equal(number([2, 2]), '2');
 assert.equal(number([-2.4084e-70, 2.408e-70]), '0 ± 3e-70');
 assert.equal(number([-9.8e-70, 0]), '0 ± 1e-69');
 assert.equal(number([0, 0]), '0');
-assert.deepEqual(grouped([...Array(21).fill([3.9359462488299, 3.9359462488301]), [5, 5.0000000001]]), ['21 × 3.93594624883', '5']);
-assert.equal(`λ${subscript(12)}`, 'λ₁₂');
 assert.equal(decimal('19499/32768'), '0.595062255859');
 assert.equal(decimal('-2/3'), '-0.666666666667');
 assert.equal(decimal(`${2n ** 2000n}/${3n * 2n ** 2000n}`), '0.333333333333');
 assert.equal(decimal('0'), '0');
 assert.equal(decimal('1/30000000'), '3.3333e-8');
+assert.deepEqual(grouped([...Array(21).fill([3.9359462488299, 3.9359462488301]), [5, 5.0000000001]]), ['21 × 3.93594624883', '5']);
+assert.equal(`λ${subscript(12)}`, 'λ₁₂');

@@ -188,6 +188,11 @@ def questions(page: Page) -> None:
     page.click("systole")
     page.rest("the systole")
     page.expect(kDeferred in Handler.requested, "the systole did not load the rest of the module")
+    page.expect(page.run("return [...document.querySelectorAll('#systole small, #eigenvalues small')].every(cost => /^[0-9]+ s$/.test(cost.textContent))"),
+                "no times beside questions")
+    page.set("count", "9")
+    page.expect(page.run("return document.querySelector('#eigenvalues small').textContent") == "", "a time that nobody measured")
+    page.set("count", "1")
     page.expect("systole" in page.place_of_work(), f"progress of the systole is after {page.place_of_work()}")
     page.expect("closed geodesic" in page.text("answered") and "VERIFIED" in page.text("answered"), f"the systole: {page.text('answered')} {page.text('problem')}")
     page.expect(page.run("return document.getElementById('geodesics').options.length > 0"), "the systole is not drawn")

@@ -75,6 +75,17 @@ export function fromHash(hash) {
   return chosen;
 }
 
+// Seconds that questions take at most on surfaces of genus 2 and 3 without short closed geodesics, rounded up from what docs/wasm.md says.
+const kSeconds = {
+  systole: [2, 3], diameter: [2, 4], radius: [2, 4], isometries: [2, 6], pants: [1, 2], dirichlet: [1, 1], curves: [1, 1], distance: [2, 2], 'spectrum up to 5': [2, 3],
+  '1 eigenvalue, 2 digits': [5, 10], '1 eigenvalue, 3 digits': [30, 60], '1 eigenvalue, 6 digits': [30], '1 eigenvalue, 9 digits': [30]};
+// How long a question of the page takes, roughly: "2 s", or empty if nobody has measured it. `upTo` is of the spectrum, `count` and `digits` of eigenvalues.
+export function costOf(question, {genus, upTo, count, digits}) {
+  const name = {spectrum: Number(upTo) <= 5 ? 'spectrum up to 5' : '', eigenvalues: Number(count) === 1 ? `1 eigenvalue, ${digits} digits` : ''}[question] ?? question;
+  const seconds = kSeconds[name]?.[genus - 2];
+  return seconds === undefined ? '' : `${seconds} s`;
+}
+
 // A point as epsnet writes it (docs/using-epsnet.md): v17; t12:1,2,1; 0,1/3,-0.25; 0.
 export function pointOf(text, name) {
   const number = '[-+0-9.eE/]+', forms = [

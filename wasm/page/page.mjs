@@ -1,6 +1,6 @@
 // The page: what is chosen, what is asked of the module, and what is said of the answers. The pictures are those of the viewer (Net, Viewer, save, scheme are its).
 import * as epsnet from './epsnet.mjs';
-import {commandsOf, estimatedVertices, fromHash, genusOfMap, kMostVertices, kMostVerticesOfProgram, pointOf, stepOf, surfaceCommands, tellStep, toHash} from './choice.mjs';
+import {commandsOf, costOf, estimatedVertices, fromHash, genusOfMap, kMostVertices, kMostVerticesOfProgram, pointOf, stepOf, surfaceCommands, tellStep, toHash} from './choice.mjs';
 import {decimal, grouped, number, rough, subscript} from './numbers.mjs';
 import * as pantsGraph from './pants_graph.mjs';
 
@@ -330,6 +330,7 @@ async function show({net, surface, chosen, title}, options) {
   $('curve').replaceChildren();
   current = {net, surface, chosen, title, shown: []};
   $('questions').hidden = net.certificate.verdict !== 'VERIFIED';
+  tellCosts();
   draw(data);
   tellChoice();
 }
@@ -347,6 +348,13 @@ function draw(data, before = null) {
 let clicked = null;
 $('questions').addEventListener('click', event => { clicked = event.target; }, true);
 $('questions').addEventListener('click', () => { clicked = null; });
+
+// Beside each question: how long it takes.
+function tellCosts() {
+  const about = {genus: current.net.certificate.counts?.genus, upTo: typed('up-to'), count: typed('count'), digits: $('digits').value};
+  for (const place of document.querySelectorAll('#questions button small')) place.textContent = costOf(place.parentElement.id, about);
+}
+$('questions').addEventListener('input', tellCosts);
 
 // Asks for something about the surface; shows the lines that `tell` makes of the answer, and its certificate, if it has one. A file of curves is drawn
 // in the picture of the net, or with `isPicture` the answer in a picture of its own.
