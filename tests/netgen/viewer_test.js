@@ -253,6 +253,7 @@
       if (layer.on) $(layer.id).click();
     }
     $('colour-none').click();
+    if (!$('unselect').disabled) $('unselect').click();  // A closed geodesic that was clicked.
     expect(legendText().length === 0, `a legend of nothing: ${legendText()}`);
     for (const layer of layers) {
       $(layer.id).click();

@@ -12,7 +12,7 @@ function inside(p) {
 
 class Travel {
   // Calls `on.rest()` once everything is drawn, `on.hover(found, x, y)` with what `find` found at a point of the screen, null for nothing,
-  // `on.say(text)` when a key asks, and `on.tap(x, y)` for a point of the disk that is tapped, clicked, or in the centre when Enter is pressed.
+  // `on.say(text)` when a key asks, `on.tap(x, y)` for a point of the disk that is tapped or clicked, and `on.enter(x, y)` for the centre when Enter is pressed.
   constructor(drawing, on) {
     Object.assign(this, {drawing, on});
     this.pending = false;   // The next frame is asked for,
@@ -222,7 +222,7 @@ class Travel {
         Enter: () => {
           drawing.draw(kMost);
           this.on.say(drawing.describe(drawing.find(0, 0)).replaceAll('\n', ', '));
-          this.on.tap(0, 0);
+          this.on.enter(0, 0);
         }
       }[event.key];
       if (act === undefined) return;

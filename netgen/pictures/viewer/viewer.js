@@ -89,7 +89,8 @@ const isNarrow = matchMedia('(max-width: 860px)');  // Then the legend would hid
 
 class Viewer {
   // Fills the elements `picture` and `panel` of the page; one viewer at a time, as they have ids. `onTap(x, y)` hears of points of the disk
-  // that are tapped, and says whether it takes them; if it does not, a closed geodesic there is selected. `onSelect(g)` hears of those that are.
+  // that are tapped, and says whether it takes them; if it does not, a closed geodesic there is selected. It hears of the centre if Enter is
+  // pressed, too, which selects nothing: for keys there is the list. `onSelect(g)` hears of geodesics that are selected.
   // The new viewer shows the part that `before`, one of the same triangulation, showed.
   constructor(picture, panel, net, {onTap = () => false, onSelect = () => {}, before = null} = {}) {
     const kept = before && before.state(), schemeOfBefore = $('scheme') ? $('scheme').value : '';
@@ -103,7 +104,8 @@ class Viewer {
       tap: (x, y) => {
         const g = onTap(x, y) ? null : this.drawing.geodesicAt(x, y);
         if (g !== null) this.choose(g);
-      }});
+      },
+      enter: onTap});
     this.onSelect = onSelect;
     $('legend').open = isLegendOpen;
     if (kept) this.restore(kept);
