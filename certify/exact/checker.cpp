@@ -112,49 +112,57 @@ Result check(std::string_view text, const Limits& limits) {
 
 namespace {
 
-/// What the text is, if it is of a kind that epsnet writes and that claims nothing; else nothing.
-std::string kind_without_claim(std::string_view text) {
-  constexpr const char* kBeginnings[][2] = {{"<svg", "an SVG picture"},
-                                            {"\211PNG", "a PNG picture"},
-                                            {"<!DOCTYPE html", "an HTML page"},
-                                            {"<?xml", "a file of XML, such as VTU"},
-                                            {"OFF\n", "a mesh"},
-                                            {"$MeshFormat", "a mesh"},
-                                            {"MeshVersionFormatted", "a mesh"},
-                                            {"MFEM mesh", "a mesh"},
-                                            {"%%MatrixMarket", "a MatrixMarket matrix"},
-                                            {"\223NUMPY", "a NumPy array"}};
+/// What the text is by its first bytes, if it is of a kind that epsnet writes and that claims nothing; else nothing.
+std::string_view kind_by_beginning(std::string_view text) {
+  constexpr std::string_view kBeginnings[][2] = {{"<svg", "an SVG picture"},
+                                                 {"\211PNG", "a PNG picture"},
+                                                 {"<!DOCTYPE html", "an HTML page"},
+                                                 {"<?xml", "a file of XML, such as VTU"},
+                                                 {"OFF\n", "a mesh"},
+                                                 {"$MeshFormat", "a mesh"},
+                                                 {"MeshVersionFormatted", "a mesh"},
+                                                 {"MFEM mesh", "a mesh"},
+                                                 {"%%MatrixMarket", "a MatrixMarket matrix"},
+                                                 {"\223NUMPY", "a NumPy array"},
+                                                 {"u\tv\t", "a table"},
+                                                 {"from,to,", "a table"},
+                                                 {"step,", "a table"}};
   for (const auto& [beginning, kind] : kBeginnings) {
     if (text.starts_with(beginning)) return kind;
   }
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-  if (digits > 0 && digits < text.size() && std::string_view(" \t\n\r").find(text[digits]) != std::string_view::npos) {
-    return "a text of numbers, as of CGAL";
-  }
-  const Json root = parse_json(text);
-  if (root.kind != Json::Kind::object) return "";
-  const Json& format = member(root, "format");
+  const bool is_number =
+      digits > 0 && digits < text.size() && std::string_view(" \t\n\r").find(text[digits]) != std::string_view::npos;
+  return is_number ? "a text of numbers, as of CGAL" : "";
+}
+
+/// The same of an object by its format.
+std::string_view kind_by_format(const Json& format) {
   if (is_text(format, "epsnet-dirichlet")) return "a Dirichlet domain";
   if (is_text(format, "epsnet-matrices")) return "a file of matrices";
   if (is_text(format, "epsnet-mesh")) return "a mesh";
-  read_surface_file(root);
-  return "a surface file";
+  return "";
 }
 
 }  // namespace
 
 std::string why_no_claim(std::string_view text) {
-  try {
-    const std::string kind = kind_without_claim(text);
-    if (kind.empty()) return "";
-    if (kind == "a surface file") {
-      return "this is a surface file, which claims nothing; epsnet net FILE --epsilon 0.1 -o net.json makes a net of "
-             "it";
+  std::string_view kind = kind_by_beginning(text);
+  if (kind.empty()) {
+    try {
+      const Json root = parse_json(text);
+      if (root.kind != Json::Kind::object) return "";
+      kind = kind_by_format(member(root, "format"));
+      if (kind.empty()) {
+        read_surface_file(root);
+        return "this is a surface file, which claims nothing; epsnet net FILE --epsilon 0.1 -o net.json makes a net of "
+               "it";
+      }
+    } catch (const Malformed&) {
+      return "";
     }
-    return "this begins as " + kind + ", which claims nothing; files of nets and of answers do";
-  } catch (const Malformed&) {
-    return "";
   }
+  return "this begins as " + std::string(kind) + ", which claims nothing; files of nets and of answers do";
 }
 
 }  // namespace epsnet::exact

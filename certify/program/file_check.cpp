@@ -161,7 +161,10 @@ std::string_view kind_without_claim(std::string_view beginning) {
                                           {"MeshVersionFormatted", "a mesh"},
                                           {"MFEM mesh", "a mesh"},
                                           {"%%MatrixMarket", "a MatrixMarket matrix"},
-                                          {"\x93NUMPY", "a NumPy array"}};
+                                          {"\x93NUMPY", "a NumPy array"},
+                                          {"u\tv\t", "a table"},
+                                          {"from,to,", "a table"},
+                                          {"step,", "a table"}};
   ByteStream stream(beginning);
   const std::optional<std::string> format = format_of(stream);
   for (const auto& [name, kind] : kFormats) {

@@ -245,7 +245,8 @@ struct LengthDerivatives {
 
 /// The same on any surface, for the coordinates of `pants`, a pants decomposition of it. If fenchel_nielsen_surface did
 /// not make it, heptagons with about these coordinates stand beside it, and which of their paths is the given one is
-/// found with 512 bits, not proved.
+/// found with 512 bits, not proved. Derivatives with respect to a length are those for a fixed twist, which is taken
+/// from −½ to less than ½ of the length: another marking has others. `threads`: 0 is as many as the machine has cores.
 ///
 /// Throws as above, SurfaceError if the path is not closed, or null-homotopic, LimitError also if the path is not found
 /// again, and as fenchel_nielsen_surface and pants_decomposition. Time is that of the pants of the heptagons.

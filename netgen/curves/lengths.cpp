@@ -14,6 +14,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/group.h"
 
 namespace epsnet {
 namespace {
@@ -358,29 +359,26 @@ namespace {
 
 using Number = LiftedTiles::Number;
 
-/// The word from tile 0 to itself for one from another tile to itself.
-Word from_tile_0(const Surface& surface, const Word& word) {
-  const Word way = path_between_tiles(surface, TileId(0), surface.tile_of_side(word.front()));
-  return concatenated(surface, concatenated(surface, way, word), reversed(surface, way));
-}
-
 /// The paths of a surface in heptagons that have about its coordinates.
 class InHeptagons {
  public:
   InHeptagons(const Surface& surface, const PantsDecomposition& pants, unsigned threads)
       : from_(surface),
+        from_tile_0_(polygon_paths(surface)),
         to_(fenchel_nielsen_surface(pants.coordinates())),
         own_(pants_decomposition(to_.surface(), {.threads = threads})),
         // Elements of one pair of pants tell how the one plane lies on the other.
-        motion_(motion_of_pairs(value(from_, pants.pants[0][0]), value(from_, pants.pants[0][1]),
-                                value(to_, own_.pants[0][0]), value(to_, own_.pants[0][1]))) {}
+        motion_(motion_of_pairs(positive(from_.value(loop(pants.pants[0][0]))),
+                                positive(from_.value(loop(pants.pants[0][1]))), positive(to_.value(own_.pants[0][0])),
+                                positive(to_.value(own_.pants[0][1])))) {}
 
   /// The coordinates of the surface, with twists that are as the sides of the heptagons meet.
   [[nodiscard]] EnclosedCoordinates coordinates(const PantsDecomposition& pants) const {
     EnclosedCoordinates result = enclosed_coordinates(own_);
     const std::size_t cuffs = pants.cuffs.size();
     for (std::size_t e = 0; e < cuffs; ++e) {
-      const auto& [length, twist] = std::pair(pants.cuffs[e].length, pants.cuffs[e].twist);
+      const certify::Interval& length = pants.cuffs[e].length;
+      const certify::Interval& twist = pants.cuffs[e].twist;
       const double turns = std::round((result.values[cuffs + e].lower - twist.lower) / length.lower);
       const certify::Precision scope(kBitsOfDerivatives);
       const Ball moved = ball_of_interval(twist) + Ball::exactly(turns) * ball_of_interval(length);
@@ -391,15 +389,11 @@ class InHeptagons {
   }
 
   /// Letter by letter: each is moved by little, so that it is found although the heptagons are rounded.
-  [[nodiscard]] Word word(const Word& path) {
+  [[nodiscard]] Word word(const Word& path) const {
     constexpr double kTolerance = 1e-3;
     Word result;
     for (const SideId letter : path) {
-      const Surface& surface = from_.surface();
-      const Word before = path_between_tiles(surface, TileId(0), surface.tile_of_side(letter));
-      const Word after = path_between_tiles(surface, TileId(0), surface.tile_of_side(surface.partner(letter)));
-      const Word loop = concatenated(surface, concatenated(surface, before, {letter}), reversed(surface, after));
-      const std::optional<Word> image = image_word(to_, motion_, from_.value(loop), kTolerance);
+      const std::optional<Word> image = image_word(to_, motion_, from_.value(loop({letter})), kTolerance);
       if (!image) fail();
       result = concatenated(to_.surface(), std::move(result), *image);
     }
@@ -418,14 +412,18 @@ class InHeptagons {
     throw LimitError("a path is not found again in heptagons with the coordinates of the surface");
   }
 
-  /// With Re a > 0.
-  static Isometry<Number> value(const LiftedTiles& tiles, const Word& word) {
-    Isometry<Number> result = tiles.value(from_tile_0(tiles.surface(), word));
-    if (result.a.x < 0) result = {-result.a, -result.b};
-    return result;
+  /// The path from tile 0 to the start of a path, along it, and back from its end.
+  [[nodiscard]] Word loop(const Word& path) const {
+    const Surface& surface = from_.surface();
+    const TileId start = surface.tile_of_side(path.front());
+    const Word there = concatenated(surface, from_tile_0_[start], path);
+    return concatenated(surface, there, reversed(surface, from_tile_0_[from_.end_of(start, path)]));
   }
+  /// The same isometry, with Re a > 0.
+  static Isometry<Number> positive(const Isometry<Number>& f) { return f.a.x < 0 ? Isometry<Number>{-f.a, -f.b} : f; }
 
   LiftedTiles from_;
+  ById<TileId, Word> from_tile_0_;
   LiftedTiles to_;
   PantsDecomposition own_;
   Motion<Number> motion_;

@@ -821,7 +821,8 @@ class Surface(Drawn, Immutable):
         """The derivatives of the length of a closed geodesic with respect to the Fenchel–Nielsen coordinates of ``surface.pants()``, its lengths
         and twists; with ``second`` those of second order, too. The word is one of the sides of the tiles, as closed geodesics have it. Unless
         ``Surface.fenchel_nielsen`` made the surface, the path is found again in tiles that it makes, with 512 bits. SurfaceError for a path that is
-        not closed, or null-homotopic; LimitError if the path is too long, or not found again.
+        not closed, or null-homotopic; LimitError if the path is too long, or not found again. Derivatives with respect to a length are for a fixed
+        twist, which is taken from −½ to less than ½ of the length: another marking has others.
 
         >>> import epsnet
         >>> surface = epsnet.Surface.fenchel_nielsen(graph="theta", lengths=[2, 2, 2], twists=[0, 0, 0])

@@ -226,13 +226,13 @@ def test_mapping_classes(octagon):
         octagon.mapping_class([([0], 1), ([0, 0], 1)])(curve)
 
 
-@pytest.mark.parametrize("surface", [Surface.fenchel_nielsen(graph="0-0 0-1 1-1", seed=4), Surface.octagon(5)])
-def test_gradients(surface):
+@pytest.mark.parametrize("surface, error", [(Surface.fenchel_nielsen(graph="0-0 0-1 1-1", seed=4), 1e-12), (Surface.octagon(5), 1e-9)])
+def test_gradients(surface, error):
     curve = surface.spectrum(6)[7]
     found = surface.gradient(curve, second=True)
-    assert curve.length.mid == pytest.approx(found.length.mid, abs=1e-9)
+    assert curve.length.mid == pytest.approx(found.length.mid, abs=error)
     cuffs = surface.pants().cuffs
-    assert [x.mid for x in found.by_twists] == pytest.approx([surface.curve(curve).twist_derivative(cuff).mid for cuff in cuffs], abs=1e-9)
+    assert [x.mid for x in found.by_twists] == pytest.approx([surface.curve(curve).twist_derivative(cuff).mid for cuff in cuffs], abs=error)
     assert len(found.by_lengths) == 3 and np.shape([[x.mid for x in row] for row in found.second]) == (6, 6)
     assert not surface.gradient(curve).second and not found.length.proved
     with pytest.raises(SurfaceError, match="null-homotopic"):

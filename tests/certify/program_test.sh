@@ -165,6 +165,9 @@ claims_nothing 'MFEM mesh v1.0\n' "a mesh"
 claims_nothing '%%%%MatrixMarket matrix' "a MatrixMarket matrix"
 claims_nothing '\223NUMPY\1' "a NumPy array"
 claims_nothing '2 no\n' "a text of numbers, as of CGAL"
+claims_nothing 'u\tv\tlength\n' "a table"
+claims_nothing 'from,to,distance\n' "a table"
+claims_nothing 'step,0\n' "a table"
 exact 3 "MALFORMED: unexpected value for the format" "$scratch/broken.json"
 
 # Standard input and pipes are read once.

@@ -160,6 +160,23 @@ good net s.json --epsilon 0.5 --points points.txt -o given.json
 verified given.json
 good locate given.json --points points.txt v7 t3:1,2,3
 [ "$(grep -c 'at corner . nearest corner v[01] at 0$\|at corner ., nearest corner v[01] at 0$' output)" = 2 ] || complain "given points are vertices: $(cat output)"
+# What is written and claims nothing is no broken claim.
+for format in triangulation off vtu gmsh gmsh-glued medit mfem edges adjacency face-adjacency json matrices; do
+  good export net.json --format $format -o "$format.out"
+  claims_nothing "$format.out"
+done
+good export s.json --format domain -o domain.out
+good export s.json --format edges -o edges.out
+good dirichlet s.json -o dirichlet.out --svg dirichlet.svg
+good draw net.json -o picture.png
+good view net.json -o page.html
+good distances net.json -o table.csv
+good distances net.json -o table.npy
+good distances net.json -o bounds.csv --bounds
+good lattice s.json -o lattice.mtx
+for file in domain.out edges.out dirichlet.out dirichlet.svg picture.png page.html table.csv table.npy bounds.csv lattice.mtx s.json; do
+  claims_nothing "$file"
+done
 good export net.json --format vtu --distance-from v3 -o field.vtu
 grep -q 'Name="distance"' field.vtu || complain "no distances in VTU"
 good distances net.json -o d.npy --threads 3
@@ -639,6 +656,7 @@ bad 1 '^epsnet: it takes more than 10 boxes' gap s.json --outside 1/4 --at-least
 bad 1 '^epsnet: not proved at the phases ' gap s.json --outside 1/4 --at-least 9 --epsilon 1
 mkdir kept
 good bands s.json --between G,1/2:0:0:0 --steps 2 --count 2 --digits 1 -o bands.csv --svg bands.svg --keep kept
+claims_nothing bands.csv
 says '^0: phases 0 0 0 0, lambda_0 in \[0, '
 [ "$(wc -l <bands.csv)" -eq 7 ] || complain "lines of bands: $(wc -l <bands.csv)"
 head -n 1 bands.csv | grep -q '^step,phase_0,phase_1,phase_2,phase_3,band,lo,hi$' || complain "columns of bands: $(head -n 1 bands.csv)"

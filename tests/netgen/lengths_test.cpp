@@ -176,6 +176,27 @@ TEST(LengthDerivatives, OnOtherTilesTheyAreThoseOfTheSurface) {
   }
 }
 
+// The surface that its own coordinates make is it again, but for rounding. Geodesics correspond by their lengths.
+TEST(LengthDerivatives, OnOtherTilesTheyAreThoseOfTheHeptagonsOfTheirCoordinates) {
+  for (const auto& [surface, length] : {std::pair(random_octagon(5), "4"), std::pair(named_surface("bolza"), "3.5")}) {
+    const PantsDecomposition pants = pants_decomposition(surface);
+    const Surface heptagons = fenchel_nielsen_surface(pants.coordinates());
+    const EnclosedCoordinates coordinates = enclosed_coordinates(pants_decomposition(heptagons));
+    std::vector<LengthDerivatives> there;
+    for (const Word& word : geodesics_up_to(heptagons, length)) there.push_back(length_derivatives(coordinates, word));
+    for (const Word& word : geodesics_up_to(surface, length)) {
+      const LengthDerivatives at = length_derivatives(surface, pants, word);
+      const auto is_the_same = [&](const LengthDerivatives& other) {
+        double difference = std::abs(middle(other.length) - middle(at.length));
+        for (std::size_t i = 0; i < at.gradient.size(); ++i)
+          difference = std::max(difference, std::abs(middle(other.gradient[i]) - middle(at.gradient[i])));
+        return difference < 1e-9;
+      };
+      EXPECT_TRUE(std::any_of(there.begin(), there.end(), is_the_same)) << middle(at.length);
+    }
+  }
+}
+
 TEST(LengthDerivatives, OfPathsThatAreNotClosedAreErrors) {
   const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::parse("0-1 0-1 0-1"), 3));
   const PantsDecomposition pants = pants_decomposition(surface);

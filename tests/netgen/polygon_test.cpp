@@ -167,7 +167,7 @@ std::vector<TextBox> texts_of(const std::string& svg, const std::string& group_c
   const std::regex text("<text x=\"(-?[0-9.]+)\" y=\"(-?[0-9.]+)\"[^>]*>([^<]+)</text>");
   std::vector<TextBox> result;
   for (std::sregex_iterator it(group.begin(), group.end(), text), end; it != end; ++it) {
-    const double width = 0.55 * size * static_cast<double>((*it)[3].length());
+    const double width = 0.56 * size * static_cast<double>((*it)[3].length());
     const double left = std::stod((*it)[1]) - (is_centred ? width / 2 : 0);
     const double bottom = std::stod((*it)[2]);
     result.push_back({left, left + width, bottom - 0.75 * size, bottom});
@@ -181,7 +181,11 @@ bool overlap(const TextBox& a, const TextBox& b) {
 
 TEST(PolygonPicture, LabelsAreInThePictureAndDoNotOverlapEachOtherOrTheLegend) {
   std::deque<test::NamedSurface> surfaces = test::tiled_gallery();
-  for (const char* name : {"klein", "bring", "fricke-macbeath"}) surfaces.push_back({name, named_surface(name)});
+  const std::vector<std::string> symmetric{"klein", "bring", "fricke-macbeath"};
+  for (const std::string& name : symmetric) surfaces.push_back({name, named_surface(name)});
+  const auto is_symmetric = [&](const std::string& name) {
+    return std::find(symmetric.begin(), symmetric.end(), name) != symmetric.end();
+  };
   FenchelNielsenRequest thin;
   thin.graph = "theta";
   thin.lengths = {"0.01", "2", "3"};
@@ -193,7 +197,7 @@ TEST(PolygonPicture, LabelsAreInThePictureAndDoNotOverlapEachOtherOrTheLegend) {
         const std::string svg = draw_svg(picture, size);
         const std::vector<TextBox> labels = texts_of(svg, "labels");
         const std::vector<TextBox> legend = texts_of(svg, "legend");
-        EXPECT_GE(labels.size(), 2U) << name;
+        EXPECT_GE(labels.size(), is_symmetric(name) ? 11U : 2U) << name;
         EXPECT_FALSE(legend.empty()) << name;
         for (std::size_t i = 0; i < labels.size(); ++i) {
           const TextBox& a = labels[i];
