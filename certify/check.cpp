@@ -4,7 +4,7 @@
 #include <string>
 #include <type_traits>
 
-#include "certify/base/binary64.h"
+#include "certify/base/interval.h"
 #include "certify/claims.h"
 #include "certify/claims/net/claim.h"
 

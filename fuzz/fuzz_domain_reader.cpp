@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/surfaces/surfaces.h"
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
 

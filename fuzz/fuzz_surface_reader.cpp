@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "certify/file/file.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "netgen/surfaces/surfaces.h"
 
 namespace {

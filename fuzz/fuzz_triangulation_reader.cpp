@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "netgen/exchange/text_formats.h"
 #include "netgen/surfaces/surfaces.h"
 

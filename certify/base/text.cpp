@@ -10,7 +10,7 @@
 #include <limits>
 #include <system_error>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 
 namespace epsnet::certify {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/exact/claim_rules.h"
-#include "certify/exact/conjugation.h"
 #include "certify/exact/interval.h"
+#include "certify/exact/isometry_rules.h"
 #include "certify/exact/loops.h"
 #include "certify/exact/pair_search.h"
 #include "certify/exact/rough_interval.h"

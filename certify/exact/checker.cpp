@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "certify/exact/claim_rules.h"
-#include "certify/exact/comparison_rules.h"
 #include "certify/exact/document.h"
+#include "certify/exact/isometry_rules.h"
 #include "certify/exact/json.h"
 #include "certify/exact/net_rules.h"
 

@@ -10,8 +10,8 @@
 
 #include "certify/exact/claim_rules.h"
 #include "certify/exact/eigenfunctions.h"
+#include "certify/exact/flat_triangles.h"
 #include "certify/exact/inertia.h"
-#include "certify/exact/line_bundle.h"
 #include "certify/exact/net_structure.h"
 
 /// Section 17: eigenvalues of the Laplacian, by inertia and eigenfunctions.

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "certify/exact/integers.h"
+#include "certify/exact/algebraic.h"
 #include "certify/exact/interval.h"
 
 /// The real numbers of surfaces over a number field, exactly (docs/proof.md, section 9.1).

@@ -4,8 +4,7 @@
 #include <numeric>
 
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
-#include "certify/net/triangulation_check.h"
+#include "certify/net/rules.h"
 
 namespace epsnet::certify {
 

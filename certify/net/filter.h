@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "certify/base/binary64.h"
 #include "certify/base/interval.h"
 #include "certify/net/document.h"
 #include "certify/net/lifted_triangle.h"

@@ -1,5 +1,3 @@
-#include "certify/net/geometry_check.h"
-
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -10,6 +8,7 @@
 #include "certify/net/geometry_pass.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"
+#include "certify/net/rules.h"
 #include "certify/net/structure.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 #include "certify/net/document.h"
 #include "certify/net/numbering.h"
 #include "certify/numbers/budget.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 #include "certify/net/document.h"
 #include "certify/net/labels.h"
 #include "certify/numbers/ball.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 #include "certify/net/document.h"
 
 namespace epsnet::certify {

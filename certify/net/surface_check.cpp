@@ -1,11 +1,10 @@
-#include "certify/net/surface_check.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "certify/base/text.h"
 #include "certify/net/numbering.h"
+#include "certify/net/rules.h"
 #include "certify/net/structure.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/isometry.h"

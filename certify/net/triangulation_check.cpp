@@ -1,5 +1,3 @@
-#include "certify/net/triangulation_check.h"
-
 #include <algorithm>
 #include <atomic>
 #include <compare>
@@ -11,8 +9,8 @@
 
 #include "certify/base/text.h"
 #include "certify/net/numbering.h"
+#include "certify/net/rules.h"
 #include "certify/net/structure.h"
-#include "certify/net/surface_check.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
 

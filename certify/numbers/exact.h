@@ -1,12 +1,16 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <flint/fmpz_poly.h>
 #include <gmpxx.h>
 #include <span>
 #include <type_traits>
 #include <vector>
 
 #include "certify/base/tile.h"
+#include "certify/numbers/ball.h"
 #include "certify/numbers/budget.h"
 
 /// The hyperbolic plane without rounding: points, isometries and predicates over a ring of complex numbers.
@@ -172,6 +176,47 @@ template <class Number>
   const Number numerator = difference(3, 1) * difference(2, 0);
   const Number denominator = difference(3, 0) * difference(2, 1);
   return sign(twice_imaginary(numerator * conjugate(denominator)));
+}
+
+// Polynomials, of which the rings of regular tiles and of number fields are made.
+
+struct PolynomialType {
+  using Struct = fmpz_poly_struct;
+  static void init(Struct* x) { fmpz_poly_init(x); }
+  static void set(Struct* x, const Struct* y) { fmpz_poly_set(x, y); }
+  static void swap(Struct* x, Struct* y) { fmpz_poly_swap(x, y); }
+  static void clear(Struct* x) { fmpz_poly_clear(x); }
+};
+
+/// A polynomial over ℤ.
+using Polynomial = Owner<PolynomialType>;
+
+[[nodiscard]] inline bool is_zero(const Polynomial& x) { return fmpz_poly_is_zero(x.get()) != 0; }
+
+[[nodiscard]] inline bool are_equal(const Polynomial& x, const Polynomial& y) {
+  return fmpz_poly_equal(x.get(), y.get()) != 0;
+}
+
+/// The most bits of a coefficient.
+[[nodiscard]] inline std::uint64_t bits_of_coefficients(const Polynomial& x) {
+  return static_cast<std::uint64_t>(std::abs(fmpz_poly_max_bits(x.get())));
+}
+
+[[nodiscard]] inline Polynomial sum(Polynomial x, Polynomial y) {
+  if (is_zero(x)) return y;
+  if (!is_zero(y)) fmpz_poly_add(x.get(), x.get(), y.get());
+  return x;
+}
+
+[[nodiscard]] inline Polynomial negative(Polynomial x) {
+  fmpz_poly_neg(x.get(), x.get());
+  return x;
+}
+
+[[nodiscard]] inline Polynomial multiple(const mpz_class& x, const Polynomial& y) {
+  Polynomial result;
+  fmpz_poly_scalar_mul_fmpz(result.get(), y.get(), Integer(x).get());
+  return result;
 }
 
 }  // namespace epsnet::certify

@@ -11,7 +11,6 @@
 #include "certify/numbers/budget.h"
 #include "certify/numbers/exact.h"
 #include "certify/numbers/isometry.h"
-#include "certify/numbers/polynomial.h"
 
 /// The numbers of a surface over a number field, exactly: ℤ[α, i], α a real root of a monic polynomial over ℤ.
 ///

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/parallel.h"
 

@@ -9,7 +9,6 @@
 #include "certify/numbers/ball.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/exact.h"
-#include "certify/numbers/polynomial.h"
 
 /// The numbers of regular polygons, exactly: ℤ[ζ, s] with ζ = e^{2πi/n} and s² a positive number of ℤ[ζ].
 ///

@@ -1,5 +1,3 @@
-#include "certify/program/file_check.h"
-
 #include <array>
 #include <chrono>
 #include <condition_variable>

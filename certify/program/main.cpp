@@ -19,7 +19,6 @@
 #include "certify/claims.h"
 #include "certify/file/file.h"
 #include "certify/numbers/ball.h"
-#include "certify/program/file_check.h"
 #include "certify/program/output.h"
 
 namespace epsnet::certify::program {

@@ -4,12 +4,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include "certify/exact/checker.h"
 #include "certify/verdict/report.h"
 
-/// The second checker's part: certify-exact's function, asked about the same bytes as the first one.
+/// The parts of the program certify: its command line, the check of a file by both checkers, what is said of it.
 namespace epsnet::certify::program {
+
+// The second checker's part: certify-exact's function, asked about the same bytes as the first one.
 
 /// Nets of so many triangles at most, in files of so many bytes at most, are checked twice as a matter of course. The
 /// second limit is for words of millions of letters, and for malformed files, where no triangles are counted.
@@ -76,5 +80,23 @@ struct FileReport {
 
 /// One object on one line.
 [[nodiscard]] std::string as_json(const FileReport& report);
+
+// The command line, and the check.
+
+/// What the command line asks for.
+struct Request {
+  std::vector<std::string> files;
+  CheckOptions options;
+  bool exact = false;  ///< Ask the second checker about nets of any size.
+  bool json = false;
+  bool print_parsed = false;
+};
+
+/// The request; or the exit code, after the help, the version or what is wrong was printed.
+[[nodiscard]] std::variant<Request, int> parse_command_line(int argc, char** argv);
+
+/// Reads a file once and has both checkers check its bytes. Shows how far it is on a terminal, unless the options say
+/// who is told. A fault of this program is reported and no verdict.
+[[nodiscard]] FileReport check_file(const Request& request, const std::string& path);
 
 }  // namespace epsnet::certify::program

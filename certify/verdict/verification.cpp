@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 #include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {

@@ -1,5 +1,3 @@
-#include "netgen/eigenvalues/character_box.h"
-
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>

@@ -16,7 +16,6 @@
 
 #include "certify/numbers/inertia.h"
 #include "certify/numbers/parallel.h"
-#include "netgen/eigenvalues/character_box.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/eigenvalues/local_functions.h"
 #include "netgen/lifts/lifts.h"

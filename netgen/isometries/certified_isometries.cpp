@@ -4,8 +4,8 @@
 
 #include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/isometries/exact_conjugacy.h"
 #include "netgen/isometries/isometries.h"
+#include "netgen/isometries/matches.h"
 #include "netgen/prove/certified.h"
 #include "netgen/surfaces/group.h"
 

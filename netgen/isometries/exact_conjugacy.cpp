@@ -1,5 +1,3 @@
-#include "netgen/isometries/exact_conjugacy.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +7,7 @@
 
 #include "certify/numbers/exact.h"
 #include "kernel/plane.h"
+#include "netgen/isometries/matches.h"
 #include "netgen/surfaces/exact_isometries.h"
 #include "netgen/surfaces/number_field.h"
 #include "netgen/surfaces/triangle_group.h"

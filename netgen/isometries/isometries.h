@@ -154,7 +154,7 @@ struct IsometricAnswer {
 [[nodiscard]] IsometricAnswer isometric(const Surface& first, const Surface& second,
                                         const IsometryOptions& options = {});
 
-// Which surface is this? In identify.cpp.
+// Which surface is this?
 
 /// A surface that has names, and whether it is isometric to a given one.
 struct NamedAnswer {

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "certify/claims/geodesics/document.h"
 #include "netgen/isometries/lifted_tiles.h"
 #include "triangulation/surface/surface.h"
 
-/// Candidates for isometries: pairs of elements to which an isometry may take one chosen pair, found among the lifts of
-/// tiles near closed geodesics (docs/isometries.md, "How all are found").
+/// Where isometries are found: by pairs of elements to which an isometry may take one chosen pair, among the lifts of
+/// tiles near closed geodesics (docs/isometries.md, "How all are found"); by the closed geodesics that an isometry
+/// permutes; by automorphisms of maps; and what decides exactly.
 namespace epsnet {
 
 /// By how much numbers of 512 bits may differ that are equal but for the errors of some operations, relative to their
@@ -107,5 +110,78 @@ struct IsometryLifts {
   /// The same isometry of the surface, but one that moves the middle of tile 0 not far.
   [[nodiscard]] Motion<LiftedTiles::Number> near(const Motion<LiftedTiles::Number>& f) const;
 };
+
+/// Closed geodesics by the tiles that they cross, to find the one on which the image of another one lies.
+///
+/// Numbers have 512 bits. What is found is right to 100 of them; a line may not be found, if a point of it is a corner
+/// of tiles.
+class LinePlaces {
+ public:
+  /// Requires: the tiles live as long. O(tiles crossed × sides of a tile).
+  LinePlaces(const LiftedTiles& tiles, const std::vector<Line>& lines);
+
+  /// Returns the number of the line to which an isometry, from the coordinates of tile 0 to themselves, takes line i;
+  /// nothing, if it is not found.
+  [[nodiscard]] std::optional<std::uint32_t> image(const Motion<LiftedTiles::Number>& f, std::uint32_t i) const;
+
+ private:
+  using Vector = LiftedTiles::Vector;
+  /// A line in the coordinates of a tile that it crosses.
+  struct Place {
+    TileId tile;
+    Vector normal;  ///< Of length 1.
+    Vector point;   ///< Inside of the tile, or of one of its sides.
+  };
+
+  void follow(const Line& line, std::uint32_t number);
+  void add(TileId tile, const Vector& normal, std::uint32_t number);
+  [[nodiscard]] std::optional<std::uint32_t> find(TileId tile, const Vector& normal) const;
+
+  const LiftedTiles& tiles_;
+  ById<TileId, Word> from_tile_0_;
+  std::vector<Place> middle_;  ///< By line: of its longest part in a tile.
+  struct Known {
+    Vector normal;
+    std::uint32_t line;
+  };
+  std::map<TileId, std::multimap<double, Known>> known_;  ///< By tile and |x| of the normal.
+};
+
+// The automorphisms of a map of regular tiles, by combinatorics alone. They are isometries of its surface: tiles are
+// congruent, and a tile is determined by one of its sides.
+
+/// An isometry of a surface that takes tiles to tiles.
+struct MapAutomorphism {
+  bool preserves_orientation;
+  ById<SideId, SideId> image;  ///< By side.
+};
+
+/// Returns automorphisms that generate all; none for a surface without regular tiles. O(sides) for each one, and for
+/// each side where side 0 is not taken, as far as the map looks the same from there.
+[[nodiscard]] std::vector<MapAutomorphism> map_automorphisms(const Surface& surface);
+
+/// The image of a path.
+[[nodiscard]] Word image_of(const MapAutomorphism& automorphism, const Word& word);
+/// The image of a tile.
+[[nodiscard]] TileId image_of(const Surface& surface, const MapAutomorphism& automorphism, TileId tile);
+
+// Questions about elements of groups of surfaces, answered without rounding (docs/isometries.md, "Why finitely many
+// products decide"). Elements are given by words from tile 0 to itself, and all but 1 are hyperbolic.
+
+/// An element of the group of one surface, and one of another.
+struct ElementPair {
+  Word from;
+  Word to;
+};
+
+/// Whether there is an isometry f of the plane with f ∘ x ∘ f⁻¹ = x' for the elements x of all pairs and their partners
+/// x'. Nothing, if their numbers are too large, or in a field of a degree above 64.
+///
+/// Requires: two pairs or more; the first two `from` have no end of their axes in common.
+[[nodiscard]] std::optional<bool> are_conjugate(const Surface& first, const Surface& second,
+                                                std::span<const ElementPair> pairs);
+
+/// Whether the axes of two elements other than 1 cross. Nothing, if their numbers are too large.
+[[nodiscard]] std::optional<bool> axes_cross(const Surface& surface, const Word& first, const Word& second);
 
 }  // namespace epsnet

@@ -9,7 +9,6 @@
 #include "certify/check.h"
 #include "netgen/nets/collars.h"
 #include "netgen/nets/refine.h"
-#include "netgen/nets/sparse.h"
 #include "netgen/nets/triangulations.h"
 #include "netgen/prove/certified.h"
 

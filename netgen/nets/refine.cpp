@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "kernel/numbers.h"
-#include "netgen/nets/parts.h"
 #include "netgen/nets/triangulations.h"
 #include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/operations.h"

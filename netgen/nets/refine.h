@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <queue>
 #include <span>
@@ -200,5 +201,61 @@ struct TriangulatedNet {
 /// Like compute_variant, as a triangulation.
 [[nodiscard]] TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon,
                                                const NetOptions& options = {}, const Variant& variant = {});
+
+// Refinement on all cores.
+
+/// Options of a refinement in parts.
+struct PartOptions {
+  double expected_vertices;                          ///< Approximately, of the whole net.
+  unsigned threads;                                  ///< 0: as many as there are cores.
+  std::function<void(std::size_t vertices)> report;  ///< Gets the number so far; called on the calling thread only.
+};
+
+/// The result of a refinement in parts.
+struct PartResult {
+  std::uint64_t insertions = 0;
+  std::uint64_t flips = 0;          ///< As RefinementStatistics counts them.
+  std::vector<TriangleId> pending;  ///< Triangles still marked; some may turn out not to be large.
+};
+
+/// Inserts the circumcentres of large triangles in many parts of a Delaunay triangulation concurrently, with
+/// insert_locally only. Triangles that it cannot decide, or that are near the boundary of a part, stay `pending` in
+/// the result. Requires: `pending` are all large triangles, and they are marked. The result depends on the
+/// triangulation only, not on `threads` (docs/design.md, "On all cores"). Throws LimitError and what `report` throws;
+/// the triangulation is then unusable.
+[[nodiscard]] PartResult refine_in_parts(Triangulation& triangulation, std::vector<TriangleId> pending,
+                                         const Threshold& apart, const Threshold& large, const PartOptions& options);
+
+// Sparse nets.
+
+/// How one sweep moves vertices (`relax`).
+struct RelaxationSweep {
+  unsigned exponent;  ///< n: a circumcentre weighs as the area of its triangle times (sinh R)²ⁿ.
+  double step;        ///< The share of the way to the weighted mean by which a vertex moves.
+  double momentum;    ///< The share of the last sweep's move that is added.
+};
+
+/// Moves the vertices of a Delaunay triangulation so that its circumradii become more equal: each sweep moves every
+/// vertex towards a mean of the circumcentres around it, in which large circles weigh most, and flips edges until the
+/// triangulation is Delaunay again. With a step much larger than 2/exponent the vertices do not come to rest.
+///
+/// The vertices of a triangle stay for a sweep if it would turn over, or if binary64 cannot compute its circumcircle.
+/// `kept` never moves. `size` is sinh²R of a typical triangle, which keeps weights from overflowing. The result is the
+/// same on every machine, as only + − × ÷ √ are used. O(n) for each sweep. Returns the number of flips.
+///
+/// Exponent 0, step 1 and no momentum give the smoothing of optimal Delaunay triangulations (Chen, Xu, 2004).
+std::uint64_t relax(Triangulation& triangulation, const Threshold& size, std::span<const RelaxationSweep> sweeps,
+                    std::optional<VertexId> kept = std::nullopt);
+
+/// Turns a Delaunay triangulation into that of an ε-net with few points (docs/design.md, "Sparse nets"): refines it for
+/// a larger ε, relaxes it (`relax`), removes vertices that are too close and inserts circumcentres of triangles that
+/// are too large. It ends with `refine`, so everything that `refine` proves holds here as well.
+///
+/// If the result has more than 1.5 times the lower bound for the number of points, the ordinary refinement (`refine`)
+/// is made as well, and is the result if it has no more points. A vertex 0 that is the base point (`options.base`)
+/// stays in its place; the other vertices are renumbered. Throws as `refine` does. Returns the statistics; `removed`
+/// counts all vertices removed on the way.
+RefinementStatistics refine_sparsely(Triangulation& triangulation, const Length& epsilon, const NetOptions& options,
+                                     const Variant& variant);
 
 }  // namespace epsnet

@@ -1,5 +1,3 @@
-#include "netgen/nets/sparse.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include "certify/base/text.h"
 #include "certify/net/document.h"
 #include "certify/numbers/ball.h"
-#include "certify/numbers/polynomial.h"
+#include "certify/numbers/exact.h"
 #include "triangulation/surface/surface.h"
 
 /// Real numbers as texts, in the least number field that has them.

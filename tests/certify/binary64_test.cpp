@@ -1,5 +1,3 @@
-#include "certify/base/binary64.h"
-
 #include <cfenv>
 #include <filesystem>
 #include <functional>
@@ -9,6 +7,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "certify/base/interval.h"
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif

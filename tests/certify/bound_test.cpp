@@ -12,10 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "certify/claims/bound/domain.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/moving_vertex.h"
 #include "tests/certify/reference.h"

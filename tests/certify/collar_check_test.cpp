@@ -8,8 +8,8 @@
 #include "certify/claims/net/claim.h"
 #include "certify/file/file.h"
 #include "certify/net/numbering.h"
+#include "certify/net/rules.h"
 #include "certify/net/structure.h"
-#include "certify/net/surface_check.h"
 #include "tests/certify/far_words.h"
 
 /// Rule `collars` alone, on documents that the rules before it may refuse: so each clause stands on its own.

@@ -11,8 +11,8 @@
 
 #include "certify/check.h"
 #include "certify/file/file.h"
+#include "certify/net/rules.h"
 #include "certify/net/structure.h"
-#include "certify/net/surface_check.h"
 #include "tests/certify/over_field.h"
 
 /// Surfaces over a number field: each is one that is known with rational tiles, or has one clause broken.

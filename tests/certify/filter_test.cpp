@@ -18,7 +18,7 @@
 #include "certify/file/file.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 
 /// Whatever the filter says must be true in rationals; inputs are chosen where it hardly is.
 namespace epsnet::certify::filter_test {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "tests/certify/claim_files.h"
 #include "tests/certify/lifted_reference.h"
 

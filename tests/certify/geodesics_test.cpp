@@ -14,7 +14,7 @@
 #include "certify/claims/geodesics/sequences.h"
 #include "certify/file/file.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "tests/certify/far_words.h"
 
 /// Geodesics files. The lists are found here by brute force in binary64: words of the group in the order of their

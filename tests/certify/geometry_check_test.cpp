@@ -1,5 +1,3 @@
-#include "certify/net/geometry_check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -18,7 +16,7 @@
 #include "certify/net/geometry_pass.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "tests/certify/reference.h"
 #include "tests/certify/turned.h"
 

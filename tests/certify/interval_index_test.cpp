@@ -1,11 +1,11 @@
-#include "certify/lifted/interval_index.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <rapidcheck/gtest.h>
 #include <vector>
+
+#include "certify/lifted/lifted_plane.h"
 
 namespace epsnet::certify::interval_index_test {
 namespace {

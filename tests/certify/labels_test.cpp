@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/file/file.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "tests/certify/over_field.h"
 
 /// The values of words, over the ring of each kind of surface, and the words of labels.

@@ -1,5 +1,3 @@
-#include "certify/claims/eigenvalues/line_bundle.h"
-
 #include <cmath>
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -7,6 +5,8 @@
 #include <rapidcheck/gtest.h>
 #include <string>
 #include <vector>
+
+#include "certify/claims/eigenvalues/forms.h"
 
 /// Phases are rational numbers modulo 1.
 namespace epsnet::certify::line_bundle_test {

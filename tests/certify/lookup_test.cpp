@@ -1,19 +1,17 @@
-#include "certify/base/lookup.h"
-
 #include <array>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numeric>
 
+#include "certify/base/error.h"
 #include "certify/base/text.h"
 #include "certify/claims/geodesics/sequences.h"
 #include "certify/file/file.h"
-#include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 
 /// What is not there cannot be looked up: each lookup answers what is there, and anything else is a fault of this
 /// program.

@@ -8,7 +8,7 @@
 
 #include "certify/file/file.h"
 #include "certify/net/numbering.h"
-#include "certify/net/triangulation_check.h"
+#include "certify/net/rules.h"
 
 /// Rule `map` alone: each defect is named, where it is first in the file.
 namespace epsnet::certify::map_check_test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "certify/claims/eigenvalues/entries.h"
+#include "certify/claims/eigenvalues/forms.h"
 
 /// Entries in binary64 are within their errors of all numbers that they may stand for, as rationals tell.
 namespace epsnet::certify::matrix_entries_test {

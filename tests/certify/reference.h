@@ -15,7 +15,7 @@
 #include "certify/net/document.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "certify/numbers/exact.h"
 #include "certify/numbers/isometry.h"
 

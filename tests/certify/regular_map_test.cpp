@@ -12,8 +12,8 @@
 #include "certify/file/file.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
+#include "certify/net/rules.h"
 #include "certify/net/structure.h"
-#include "certify/net/surface_check.h"
 
 /// Surfaces of the kind "map": regular tiles, glued in any way that q of them meet at every vertex.
 namespace epsnet::certify::regular_map_test {

@@ -8,7 +8,7 @@
 #include "certify/file/file.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 
 /// Regular 4g-gons, above all the net of one vertex, the tile's centre: around a corner of the tile its 4g lifts are
 /// the corners of a regular polygon, the dual one, so every triangulation of that is Delaunay and all its diagonals are

@@ -34,7 +34,7 @@
 #include "certify/file/file.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "tests/certify/claim_files.h"
 #include "tests/support/scale.h"
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/claims/eigenvalues/box.h"
+#include "certify/claims/eigenvalues/enclosures.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/exact/checker.h"
 #include "certify/file/file.h"

@@ -12,15 +12,14 @@
 #include <vector>
 
 #include "certify/claims/net/claim.h"
-#include "certify/exact/conjugation.h"
 #include "certify/exact/document.h"
+#include "certify/exact/isometry_rules.h"
 #include "certify/exact/json.h"
 #include "certify/exact/net_rules.h"
 #include "certify/exact/pair_search.h"
 #include "certify/file/file.h"
-#include "certify/net/geometry_check.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "tests/certify/claim_files.h"
 
 /// The second checker's rules of nets, each asked alone, of documents that need not be nets: as the first checker

@@ -1,5 +1,3 @@
-#include "certify/net/surface_check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,6 +7,7 @@
 
 #include "certify/file/file.h"
 #include "certify/net/numbering.h"
+#include "certify/net/rules.h"
 
 namespace epsnet::certify::surface_check_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 
 namespace epsnet::certify {
 

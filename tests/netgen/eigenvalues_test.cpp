@@ -17,7 +17,7 @@
 #include "certify/check.h"
 #include "certify/claims/eigenvalues/forms.h"
 #include "certify/net/labels.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "certify/numbers/ball.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/nets/certified_net.h"

@@ -1,5 +1,3 @@
-#include "netgen/isometries/exact_conjugacy.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,8 +7,9 @@
 #include <vector>
 
 #include "certify/claims/isometries/conjugation.h"
-#include "certify/net/surface_check.h"
+#include "certify/net/rules.h"
 #include "netgen/isometries/isometries.h"
+#include "netgen/isometries/matches.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"
 

@@ -9,8 +9,6 @@
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/isometries/invariants.h"
 #include "netgen/isometries/isometries.h"
-#include "netgen/isometries/line_places.h"
-#include "netgen/isometries/map_automorphisms.h"
 #include "netgen/isometries/matches.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/surfaces.h"

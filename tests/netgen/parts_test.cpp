@@ -1,5 +1,3 @@
-#include "netgen/nets/parts.h"
-
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>

@@ -18,7 +18,6 @@
 
 #include "certify/check.h"
 #include "certify/net/numbering.h"
-#include "netgen/eigenvalues/character_box.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/isometries/isometries.h"

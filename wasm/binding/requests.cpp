@@ -18,7 +18,6 @@
 #include "certify/check.h"
 #include "certify/file/compact.h"
 #include "certify/file/file.h"
-#include "certify/program/file_check.h"
 #include "certify/program/output.h"
 #include "netgen/base/gmp.h"
 #include "netgen/base/options.h"

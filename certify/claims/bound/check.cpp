@@ -10,7 +10,6 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
-#include "certify/claims/bound/domain.h"
 #include "certify/claims/bound/fields.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/claims/isometries/conjugation.h"

@@ -1,11 +1,11 @@
-#include "certify/claims/bound/domain.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
 #include <optional>
 #include <utility>
+
+#include "certify/claims/bound/triangles.h"
 
 namespace epsnet::certify {
 namespace {

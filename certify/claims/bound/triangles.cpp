@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/numbering.h"
 

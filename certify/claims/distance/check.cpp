@@ -7,7 +7,6 @@
 #include "certify/base/text.h"
 #include "certify/claims/distance/fields.h"
 #include "certify/claims/net/claim.h"
-#include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/numbering.h"
 #include "certify/net/structure.h"

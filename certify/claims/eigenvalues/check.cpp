@@ -6,13 +6,10 @@
 #include <utility>
 
 #include "certify/base/text.h"
-#include "certify/claims/eigenvalues/box.h"
 #include "certify/claims/eigenvalues/eigenfunction.h"
 #include "certify/claims/eigenvalues/enclosures.h"
-#include "certify/claims/eigenvalues/entries.h"
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/eigenvalues/forms.h"
-#include "certify/claims/eigenvalues/line_bundle.h"
 #include "certify/claims/net/claim.h"
 #include "certify/net/labels.h"
 #include "certify/net/numbering.h"

@@ -9,7 +9,7 @@
 #include <arb_mat.h>
 #endif
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 
 namespace epsnet::certify {
 namespace {

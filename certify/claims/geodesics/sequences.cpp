@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "certify/base/lookup.h"
+#include "certify/base/error.h"
 
 namespace epsnet::certify {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "certify/claims/geodesics/fields.h"
-#include "certify/lifted/interval_index.h"
+#include "certify/lifted/lifted_plane.h"
 #include "certify/net/numbering.h"
 #include "certify/numbers/parallel.h"
 

@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "certify/base/text.h"
-#include "certify/net/geometry_check.h"
 #include "certify/net/numbering.h"
-#include "certify/net/surface_check.h"
-#include "certify/net/triangulation_check.h"
+#include "certify/net/rules.h"
 #include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
