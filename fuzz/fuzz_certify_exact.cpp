@@ -31,8 +31,8 @@ certify::Verdict first_opinion(std::string_view text, std::string& rule) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   constexpr long kLifts = 1000;  // One of the two takes long with more.
-  const exact::Result second =
-      exact::check(text, {.lifts = kLifts, .lifts_under_isometries = kLifts, .values = kLifts});
+  const exact::Result second = exact::check(
+      text, {.lifts = kLifts, .lifts_under_isometries = kLifts, .values = kLifts, .bounds = 10'000 * kLifts});
   if (second.verdict == exact::Verdict::undecided) return 0;
   std::string rule;
   const certify::Verdict first = first_opinion(text, rule);

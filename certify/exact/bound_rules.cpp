@@ -1,4 +1,6 @@
 #include <array>
+#include <cmath>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,16 +20,15 @@ namespace {
 
 using Claim = BoundDocument::Claim;
 
-/// The work that one bound file may take: a quarter of a minute, in values of sinh² to a few digits. Elements: 300 MB.
-/// Darts of all triangulations together: half a gigabyte.
-constexpr std::size_t kMaxWork = 200'000'000;
-constexpr std::size_t kMaxElements = 100'000;
+/// Elements: 300 MB. Darts of all triangulations together: half a gigabyte.
+constexpr std::size_t kMaxElements = 200'000;
 constexpr std::size_t kMaxDarts = 25'000'000;
 /// Values that take as long as one to all digits, and as the functions of a triangle, for each of its darts.
 constexpr std::size_t kAllDigits = 20;
 constexpr std::size_t kFunctions = 5;
-/// Values that take as long as the motions of one step.
+/// Values that take as long as the motions of one step, and edges that are tried, as one value.
 constexpr std::size_t kMotions = 100;
+constexpr std::size_t kEdges = 8;
 /// Steps that make the base: some 100 MB.
 constexpr std::size_t kMaxSteps = 100'000;
 
@@ -62,6 +63,10 @@ struct Displacement {
   }
 };
 
+[[nodiscard]] Displacement<Interval> displacement_of(const Motion& g) {
+  return {squared_half_length(g), {-g.b.im, g.b.re, -g.a.im}};
+}
+
 /// Elements of the group, each once, and its inverse, by where it takes the vertex of the net (Lemma 21.1).
 template <class R>
 class Elements {
@@ -72,8 +77,9 @@ class Elements {
     Motion motion;
     Place place;  ///< Of the vertex.
     std::size_t inverse;
-    Displacement<Interval> displacement;
     Displacement<RoughInterval> rough_displacement;
+
+    [[nodiscard]] Displacement<Interval> displacement() const { return displacement_of(motion); }
   };
 
   /// The identity, and the elements of the net's darts. The rules of the net, which has one vertex, are verified.
@@ -89,7 +95,7 @@ class Elements {
     }
     add({});
     for (const Motion& motion : motions) of_dart_.push_back(found_or_added(motion));
-    for (const Motion& motion : motions) along_.push_back({motion, rounded(image(motion, vertex_))});
+    for (const Motion& motion : motions) along_.push_back({motion, about(image(motion, vertex_))});
   }
 
   [[nodiscard]] std::size_t of_dart(Index dart) const { return of_dart_[dart]; }
@@ -104,13 +110,24 @@ class Elements {
  private:
   struct Along {
     Motion motion;
-    RoughPlace place;
+    PlaceOf<double> place;  ///< About.
   };
 
+  [[nodiscard]] static PlaceOf<double> about(const Place& z) {
+    const auto middle = [](const Interval& x) { return x.lower() / 2 + x.upper() / 2; };
+    return {{middle(z.n.re), middle(z.n.im)}, {middle(z.d.re), middle(z.d.im)}};
+  }
+
   /// sinh²(d/2) of two lifts of the vertex, times a constant.
-  template <class Number>
-  [[nodiscard]] static Number apart(const PlaceOf<Number>& x, const PlaceOf<Number>& y) {
-    return norm(x.n * y.d - y.n * x.d);
+  [[nodiscard]] static Interval apart(const Place& x, const Place& y) { return norm(x.n * y.d - y.n * x.d); }
+  /// About the most that it may be, as far as binary64 tells.
+  [[nodiscard]] static double most_apart(const PlaceOf<double>& x, const PlaceOf<double>& y) {
+    const Complex<double> difference = x.n * y.d - y.n * x.d;
+    const auto size = [](const Complex<double>& z) { return std::abs(z.re) + std::abs(z.im); };
+    const double error = (size(x.n) * size(y.d) + size(y.n) * size(x.d)) * 0x1p-50;
+    const double re = std::abs(difference.re) + error;
+    const double im = std::abs(difference.im) + error;
+    return re * re + im * im;
   }
   /// Whether two lifts of the vertex are nearer to each other than the ends of every edge, so equal. Others are not
   /// nearer than those, so half of that decides.
@@ -126,21 +143,21 @@ class Elements {
   /// what products of products are not known well lose is not handed on. As it is, if there is no such way.
   [[nodiscard]] Motion along_edges(const Motion& g, const Place& place) {
     Motion way;
-    RoughPlace rest = rounded(place);
-    double left = apart(rest, rounded(vertex_)).upper();
+    PlaceOf<double> rest = about(place);
+    double left = most_apart(rest, about(vertex_));
     constexpr int kMostEdges = 1000;
     for (int edges = 0; edges < kMostEdges; ++edges) {
       const Along* nearest = nullptr;
       for (const Along& dart : along_) {
-        const double distance = apart(rest, dart.place).upper();
+        const double distance = most_apart(rest, dart.place);
         if (distance >= left) continue;
         left = distance;
         nearest = &dart;
       }
-      work_ += along_.size() + kMotions;
+      work_ += along_.size() / kEdges + kMotions;
       if (nearest == nullptr) return are_same(image(way, vertex_), place) == Answer::yes ? way : g;
       way = compose(way, nearest->motion);
-      rest = rounded(image(inverse(way), place));
+      rest = about(image(inverse(way), place));
     }
     return g;
   }
@@ -154,16 +171,15 @@ class Elements {
     return number;
   }
   void add_one(const Motion& g, std::size_t inverse) {
-    const Displacement<Interval> displacement{squared_half_length(g), {-g.b.im, g.b.re, -g.a.im}};
+    const Displacement<Interval> displacement = displacement_of(g);
     const Place place = image(g, vertex_);
     table_.insert(0, place, elements_.size());
-    elements_.push_back(
-        {g, place, inverse, displacement, {RoughInterval(displacement.sigma), rounded(displacement.n)}});
+    elements_.push_back({g, place, inverse, {RoughInterval(displacement.sigma), rounded(displacement.n)}});
   }
 
   Place vertex_;
   Interval shortest_;  ///< Of `apart`, among the edges of the net.
-  std::vector<Element> elements_;
+  std::deque<Element> elements_;
   std::vector<std::size_t> of_dart_;
   std::vector<Along> along_;  ///< By dart.
   PointTable table_;
@@ -192,6 +208,17 @@ Motion half_of(const Motion& g) {
   const Interval scale = 1 / (2 * cosh_of_quarter * a);
   const Complex<Interval> ab = g.a * g.b;
   return {{cosh_of_quarter, 0}, {scale * ab.re, scale * ab.im}};
+}
+
+/// The translation of 0 to a point near its image that is known exactly.
+Motion translation_near(const Motion& g) {
+  const Interval square = norm(g.a);
+  const Complex<Interval> ab = g.a * g.b;
+  const Complex<Interval> z{(ab.re / square).middle(), (ab.im / square).middle()};
+  const Interval gap = 1 - norm(z);
+  if (is_less(0, gap) != Answer::yes) throw TooLarge{"a vertex of the base is not known well enough"};
+  const Interval scale = 1 / sqrt(gap);
+  return {{scale, 0}, {scale * z.re, scale * z.im}};
 }
 
 Interval cosh_distance(const Vector& p, const Vector& q) { return p[2] * q[2] - p[0] * q[0] - p[1] * q[1]; }
@@ -227,7 +254,8 @@ Middle middle_of(const Cell& cell, Index side) {
 template <class R>
 class BoundRules {
  public:
-  BoundRules(const BoundDocument& document, NetRules<R>& net) : document_(document), net_(net) {}
+  BoundRules(const BoundDocument& document, NetRules<R>& net, std::size_t most_work)
+      : document_(document), net_(net), work_left_(most_work) {}
 
   /// The rules `lower` and `upper`: at the vertex of the net.
   void check_vertex() {
@@ -366,7 +394,7 @@ class BoundRules {
   }
 
   /// Dart d from a to b, of the triangles abc and bax: they become amc and bmx, and mbc and max, the last ones. The
-  /// point of m is in the middle of the edge that starts at the point of a.
+  /// point of m is as near to the middle of the edge that starts at the point of a as numbers tell: any point would do.
   void split_base(Index d) {
     const Index e = base_.opposite[d];
     if (d / 3 == e / 3) throw Refutation{"dart " + number(d) + " has one triangle on both sides"};
@@ -383,7 +411,7 @@ class BoundRules {
     constexpr std::size_t one = Elements<R>::kIdentity;
     const std::size_t to_c = element(from_c).inverse;
     const std::size_t from_x = element(to_x).inverse;
-    base_.frame.push_back(compose(base_.frame[a], half_of(along(d, b))));
+    base_.frame.push_back(translation_near(compose(base_.frame[a], half_of(along(d, b)))));
     const auto m = static_cast<Index>(base_.frame.size() - 1);
     base_.opposite.resize(max + 3);
     base_.start.resize(max + 3);
@@ -446,7 +474,7 @@ class BoundRules {
   }
 
   /// f_a⁻¹gf_b for a dart of the base from vertex a to vertex b with the element g (docs/proof.md, section 15). Frames
-  /// are products of halves of such motions, and do not depend on flips: so they are known well also far from 0.
+  /// are translations to points that are known exactly: so they are known well also far from 0.
   [[nodiscard]] Motion along(Index dart, Index b) {
     spend(kMotions);
     const Motion& from = base_.frame[base_.start[dart]];
@@ -477,9 +505,9 @@ class BoundRules {
 
   [[nodiscard]] const typename Elements<R>::Element& element(std::size_t g) const { return (*elements_)[g]; }
   template <class Number>
-  [[nodiscard]] const Displacement<Number>& displacement(std::size_t g) const {
+  [[nodiscard]] Displacement<Number> displacement(std::size_t g) const {
     if constexpr (std::is_same_v<Number, Interval>) {
-      return element(g).displacement;
+      return element(g).displacement();
     } else {
       return element(g).rough_displacement;
     }
@@ -512,7 +540,7 @@ class BoundRules {
       case Claim::embedded_disk:
         break;
     }
-    return has_short_loop(cell, element(maps_[by / darts].element[by % darts]).displacement);
+    return has_short_loop(cell, element(maps_[by / darts].element[by % darts]).displacement());
   }
 
   /// At the corners of the cell every triangle lies in a disk of radius HI.
@@ -569,7 +597,7 @@ class BoundRules {
   Interval sinh_;
   Interval cosh_;
   Interval most_;  ///< sinh².
-  std::size_t work_left_ = kMaxWork;
+  std::size_t work_left_;
 };
 
 /// The cells of a triangle in preorder: as many as the cuts need, and each bounded by something.
@@ -652,7 +680,7 @@ template Answer is_delaunay_and_wide(const std::vector<Index>&, const std::vecto
 template Answer is_delaunay_and_wide(const std::vector<Index>&, const std::vector<Interval>&, const Interval&);
 
 template <class R>
-std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {
+std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net, long most_work) {
   if (document.value[0] == 0) throw Malformed("the value is not positive");
   for (std::size_t k = 0; k < document.triangulations.size(); ++k) {
     expect_less(document.triangulations[k].parent, k + 1, "an earlier triangulation");
@@ -676,7 +704,7 @@ std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {
   for (const std::vector<Index>& row : document.cells) {
     expect_subdivision(row, (document.triangulations.size() + 1) * of_each);
   }
-  const auto rules = std::make_shared<BoundRules<R>>(document, net);
+  const auto rules = std::make_shared<BoundRules<R>>(document, net, static_cast<std::size_t>(most_work));
   std::vector<Rule> result{{document.claim == Claim::radius ? "upper" : "lower", [rules] { rules->check_vertex(); }},
                            {"triangulations", [rules] { rules->check_triangulations(); }}};
   if (document.symmetry) {
@@ -687,8 +715,8 @@ std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {
   return result;
 }
 
-template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<mpz_class>& net);
-template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<Algebraic>& net);
-template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<FieldNumber>& net);
+template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<mpz_class>& net, long);
+template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<Algebraic>& net, long);
+template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<FieldNumber>& net, long);
 
 }  // namespace epsnet::exact

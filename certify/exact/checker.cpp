@@ -82,7 +82,7 @@ Result check(std::string_view text, const Limits& limits) {
     }
     if (is_text(format, "epsnet-cover")) {
       const BoundDocument document = read_bound(root);
-      return ask_all(document.net, [&](auto& net) { return bound_rules(document, net); });
+      return ask_all(document.net, [&](auto& net) { return bound_rules(document, net, limits.bounds); });
     }
     if (is_text(format, "epsnet-eigenvalues")) {
       const EigenvaluesDocument document = read_eigenvalues(root);

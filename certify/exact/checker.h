@@ -29,11 +29,14 @@ struct Limits {
   long lifts;                   ///< Lifted vertices for a list of geodesics,
   long lifts_under_isometries;  ///< and if isometries rest on it, which take more time for each loop.
   long values;                  ///< Values of eigenfunctions; and matrices may ask for 2000 multiplications each.
+  long bounds;                  ///< Values of sinh² to a few digits, for bounds by cells.
 };
 /// Some seconds.
-inline constexpr Limits kUsualLimits{.lifts = 1'000'000, .lifts_under_isometries = 100'000, .values = 100'000};
+inline constexpr Limits kUsualLimits{
+    .lifts = 1'000'000, .lifts_under_isometries = 100'000, .values = 100'000, .bounds = 200'000'000};
 /// Minutes.
-inline constexpr Limits kMostLimits{.lifts = 10'000'000, .lifts_under_isometries = 10'000'000, .values = 10'000'000};
+inline constexpr Limits kMostLimits{
+    .lifts = 10'000'000, .lifts_under_isometries = 10'000'000, .values = 10'000'000, .bounds = 5'000'000'000};
 
 /// The verdict on a file. Compact files, lists of geodesics that take more lifts, and eigenfunctions and matrices that
 /// take more work are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels,

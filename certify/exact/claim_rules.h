@@ -22,7 +22,7 @@ template <class R>
 [[nodiscard]] std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules<R>& net);
 /// Section 15.
 template <class R>
-[[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net);
+[[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net, long most_work);
 /// Lemma 20 there: whether three points lie in a disk of radius R, by sinh²(d/2) of the distances between them and
 /// sinh²R.
 template <class Number>

@@ -166,6 +166,15 @@ class Interval {
     return mpfr_greaterequal_p(x.lower_, y.upper_) != 0 ? Answer::no : Answer::unknown;
   }
 
+  /// One number, about in the middle.
+  [[nodiscard]] Interval middle() const {
+    Interval z;
+    mpfr_add(z.lower_, lower_, upper_, MPFR_RNDN);
+    mpfr_div_2ui(z.lower_, z.lower_, 1, MPFR_RNDN);
+    mpfr_set(z.upper_, z.lower_, MPFR_RNDN);
+    return z;
+  }
+
   // Numbers of binary64 that are not more and not less than the ends.
   [[nodiscard]] double lower() const { return mpfr_get_d(lower_, MPFR_RNDD); }
   [[nodiscard]] double upper() const { return mpfr_get_d(upper_, MPFR_RNDU); }

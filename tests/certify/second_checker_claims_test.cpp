@@ -689,6 +689,21 @@ TEST(SlowSecondCheckerOfBounds, EveryStepOfABaseIsThatOfTheFormat) {
   EXPECT_GT(met, 20);
 }
 
+TEST(SlowSecondCheckerOfBounds, PointsOfABaseAreKnownHoweverManySplitsLeadToThem) {
+  // The edge from each midpoint to the end of the first edge is split next.
+  std::vector<std::uint32_t> steps{1};
+  for (std::uint32_t from_middle = 18; steps.size() < 200; from_middle += 6) steps.push_back(2 * from_middle + 1);
+  BoundDocument document = with_base(steps);
+  document.value.upper = 20;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(first_outcome(document), "VERIFIED");
+}
+
+TEST(SlowSecondCheckerOfBounds, ElementsAreKnownAlsoFarAway) {
+  // On a surface of genus 3 with cuffs of 0.1: the longest edge of its net has a length of 44.
+  EXPECT_EQ(outcome(bound("thin-diameter")), "VERIFIED");
+}
+
 TEST(SlowSecondCheckerOfBounds, AnEdgeWithOneTriangleOnBothSidesIsNotFlippedAndNotSplit) {
   // Dart 0 is split at m; flips of three of the four edges at m leave dart 22, within the triangle of darts 21 to 23.
   const std::vector<std::uint32_t> to_one_edge{1, 2, 0, 2};

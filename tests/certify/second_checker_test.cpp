@@ -128,7 +128,16 @@ TEST(SecondChecker, LeavesListsOutThatAreTooLargeForIt) {
   EXPECT_EQ(check(text).message, "not for this checker: so many loops of such lengths");
   const std::string spectrum = contents(std::string(EPSNET_TEST_DATA) + "/forgeries/spectrum.json");
   EXPECT_EQ(check(spectrum).verdict, Verdict::verified);
-  EXPECT_TRUE(is_left_out(check(spectrum, {100, 100, 100})));
+  EXPECT_TRUE(is_left_out(check(spectrum, {100, 100, 100, 100})));
+}
+
+TEST(SecondChecker, LeavesBoundsOutThatTakeTooMuchWork) {
+  const std::string text = contents(std::string(EPSNET_TEST_DATA) + "/bounds/octagon-diameter-base.json");
+  EXPECT_EQ(check(text).verdict, Verdict::verified);
+  Limits few = kUsualLimits;
+  few.bounds = 10'000;
+  EXPECT_EQ(check(text, few).verdict, Verdict::undecided);
+  EXPECT_EQ(check(text, few).message, "there are too many cells and triangles for this checker");
 }
 
 certify::EigenvaluesDocument eigenvalues(const std::string& name) {
@@ -145,7 +154,7 @@ TEST(SecondChecker, VerifiesEigenfunctionsThatAreNotTooMany) {
   const auto document = eigenvalues("octagon-5-with-a-function");
   const Result result = result_of(document);
   EXPECT_EQ(result.verdict, Verdict::verified) << result.rule << ": " << result.message;
-  EXPECT_EQ(result_of(document, {1000, 1000, 1000}).message, "not for this checker: so many eigenfunctions");
+  EXPECT_EQ(result_of(document, {1000, 1000, 1000, 1000}).message, "not for this checker: so many eigenfunctions");
   auto many = document;
   many.eigenfunctions[0].functions.resize(100, many.eigenfunctions[0].functions[0]);
   EXPECT_EQ(result_of(many).message, "not for this checker: so many eigenfunctions");
@@ -161,7 +170,7 @@ TEST(SecondChecker, VerifiesEigenfunctionsThatAreNotTooMany) {
 
 TEST(SecondChecker, LeavesMatricesOutThatTakeTooMuchWork) {
   const auto document = eigenvalues("octagon-5");
-  EXPECT_EQ(result_of(document, {10, 10, 10}).message, "not for this checker: matrices that take so much work");
+  EXPECT_EQ(result_of(document, {10, 10, 10, 10}).message, "not for this checker: matrices that take so much work");
   // An order that fills the whole matrix takes less than the limit on one of so few rows, but not a hundred times.
   auto many = document;
   std::sort(many.side_order.begin(), many.side_order.end());
