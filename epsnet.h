@@ -5,7 +5,6 @@
 /// A program that only checks files includes certify/check.h and certify/file/file.h, and links the library
 /// `epsnet_certify` alone.
 
-#include "certify/base/interval.h"
 #include "certify/check.h"
 #include "certify/documents.h"
 #include "certify/file/file.h"
