@@ -380,7 +380,7 @@ TEST(SecondCheckerOfComparisons, TracesAreEqualUpToOneSignForEachElement) {
     other[i].sign = -1;
     EXPECT_FALSE(are_conjugate(traces(), other)) << i;
   }
-  for (const std::size_t first : {3, 7}) {
+  for (const std::size_t first : {3U, 7U}) {
     std::vector<exact::Trace> other = traces();
     for (std::size_t i = first; i < first + 4; ++i) other[i].sign = -other[i].sign;
     EXPECT_TRUE(are_conjugate(traces(), other)) << first;
