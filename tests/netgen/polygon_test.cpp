@@ -298,7 +298,7 @@ TEST(FarthestPoints, AreWhereTheEccentricityIsAttained) {
 
 /// Without symmetries no three geodesics meet in a point: there are as many dots as intersections.
 TEST(PolygonPicture, ClosedCurvesHaveADotAtEachCrossing) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::ring(3), seed));
     const std::vector<Word> basis = CurveTopology(surface).homology_basis();
     const auto product = [&](std::initializer_list<std::size_t> factors) {
