@@ -45,6 +45,19 @@ TEST(SecondCheckersAnswers, AreWhatFollowsFromTheirMeanings) {
   }
 }
 
+TEST(SecondCheckersIntervals, TheMiddleIsOneNumber) {
+  const Interval third(mpq_class(1, 3));  // Its ends are different.
+  const Interval from_1_to_3 = hull(Interval(1), Interval(3));
+  for (const Interval& x : {third, from_1_to_3, hull(-third, third), Interval(-5)}) {
+    const Interval middle = x.middle();
+    EXPECT_EQ(is_less(middle, middle), Answer::no);  // Unknown, if it had two ends.
+    EXPECT_NE(is_less(middle, x), Answer::yes);
+    EXPECT_NE(is_less(x, middle), Answer::yes);
+  }
+  EXPECT_EQ(from_1_to_3.middle().lower(), 2);
+  EXPECT_EQ(from_1_to_3.middle().upper(), 2);
+}
+
 /// sinh²x to about 3,000 bits.
 mpq_class precise_squared_sinh(const mpq_class& x) {
   mpfr_t value;
