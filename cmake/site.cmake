@@ -31,7 +31,7 @@ if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
     # The same folders as in the repository, so that relative links work.
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source} ${site}/xml ${site}/html
     COMMAND ${CMAKE_COMMAND} -E copy_directory docs ${source}/docs
-    COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CITATION.cff LICENSE ${source}
+    COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE ${source}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${source}/formal
     COMMAND ${CMAKE_COMMAND} -E copy ${formal} ${source}/formal
     COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md

@@ -297,6 +297,7 @@ template <class T>
   return {s * v.x, s * v.y, s * v.t};
 }
 
+/// Returns ⟨u, v⟩ = u_x v_x + u_y v_y − u_t v_t.
 template <class T>
 [[nodiscard]] T lorentz_product(const LorentzVector<T>& u, const LorentzVector<T>& v) {
   return u.x * v.x + u.y * v.y - u.t * v.t;

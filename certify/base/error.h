@@ -27,6 +27,7 @@ struct ErrorParts {
 /// asked for one by one.
 class LocatedError : public std::runtime_error {
  public:
+  /// what() is the problem.
   explicit LocatedError(const std::string& problem) : LocatedError(ErrorParts{.problem = problem}) {}
   /// what() is "FILE: PLACE: PROBLEM, expected EXPECTED", without what is empty.
   explicit LocatedError(const ErrorParts& parts)
@@ -34,10 +35,15 @@ class LocatedError : public std::runtime_error {
   /// For a line of another form.
   LocatedError(const std::string& line, ErrorParts parts) : std::runtime_error(line), parts_(std::move(parts)) {}
 
+  /// All parts; one that is not known is empty.
   [[nodiscard]] const ErrorParts& parts() const { return parts_; }
+  /// The name of the file.
   [[nodiscard]] const std::string& file() const { return parts_.file; }
+  /// Where in the file.
   [[nodiscard]] const std::string& place() const { return parts_.place; }
+  /// What is wrong.
   [[nodiscard]] const std::string& problem() const { return parts_.problem; }
+  /// What was expected instead.
   [[nodiscard]] const std::string& expected() const { return parts_.expected; }
 
  private:
@@ -56,8 +62,9 @@ class Fault : public std::logic_error {
 // Invariants between the parts of the checker, checked in every build. A lookup of a missing element would read another
 // one, and a verdict about that one could be VERIFIED.
 
-/// Throws Fault with WHAT, or "WHAT INDEX".
+/// Throws Fault with WHAT.
 [[noreturn]] inline void throw_fault(const char* what) { throw Fault(what); }
+/// Throws Fault with "WHAT INDEX".
 [[noreturn]] inline void throw_fault(const char* what, std::size_t index) {
   throw Fault(what + (" " + std::to_string(index)));
 }

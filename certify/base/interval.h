@@ -32,6 +32,7 @@ class RoundingToNearest {
  public:
   /// Throws Fault if the processor does not do it.
   RoundingToNearest();
+  /// Restores the floating-point environment.
   ~RoundingToNearest();
   RoundingToNearest(const RoundingToNearest&) = delete;
   RoundingToNearest& operator=(const RoundingToNearest&) = delete;

@@ -40,6 +40,7 @@ struct ClosedCurve {
   std::vector<std::int64_t> homology;              ///< By curve of the homology basis: a coefficient of its class.
   std::optional<std::uint32_t> genus_on_the_left;  ///< If it is simple and separates the surface.
 
+  /// Whether it can be contracted to a point.
   [[nodiscard]] bool is_null_homotopic() const { return root.empty(); }
   /// Whether a simple curve is freely homotopic to it.
   [[nodiscard]] bool is_simple() const { return self_intersections == 0; }
@@ -156,8 +157,10 @@ struct NamedCurve {
 /// for the places where a curve passes through tiles, with 512 bits (`dehn_twist_words`, pants.h).
 class MappingClassGroup {
  public:
+  /// That of a surface.
   explicit MappingClassGroup(const Surface& surface);
 
+  /// The topology of curves that its words refer to.
   [[nodiscard]] const CurveTopology& topology() const { return topology_; }
 
   /// a₁, …, a_g, b₁, …, b_g, c₁, …, c_{g−1}: curves with a_i and b_i those of the homology basis. b_i meets a_i, and

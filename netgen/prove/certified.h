@@ -35,6 +35,7 @@ class NotCertifiedError : public NetError {
   /// Requires: the verdict is not `verified`.
   explicit NotCertifiedError(certify::Certificate certificate)
       : NetError("not certified: " + certify::verdict_line(certificate)), certificate_(std::move(certificate)) {}
+  /// What the checker said.
   [[nodiscard]] const certify::Certificate& certificate() const { return certificate_; }
 
  private:

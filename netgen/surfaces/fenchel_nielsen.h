@@ -34,8 +34,9 @@ struct ExactLength {
 /// cosh(factor·length) as a text of NumberFieldReader. Requires: a denominator of the factor that is a power of 2.
 [[nodiscard]] std::string cosh_text(const ExactLength& length, const Rational& factor);
 
-/// The value of a text of NumberFieldReader: if it is rational; and to 1,024 bits.
+/// The value of a text of NumberFieldReader, if it is rational.
 [[nodiscard]] std::optional<Rational> rational_value(const std::string& text);
+/// The value of such a text, to 1,024 bits.
 [[nodiscard]] Mp1024 real_value(const std::string& text);
 
 // Coordinates, and surfaces.

@@ -174,6 +174,7 @@ struct RegularMap {
 /// regular maps have the same standard form if and only if an isomorphism that preserves the orientation takes one to
 /// the other. Requires: the map is connected. O(darts).
 [[nodiscard]] DartMap standard_form(const DartMap& map);
+/// Returns the map with the other orientation.
 [[nodiscard]] DartMap mirror_image(const DartMap& map);
 /// Returns the map with the roles of faces and vertices exchanged.
 [[nodiscard]] DartMap dual(const DartMap& map);

@@ -16,6 +16,7 @@ namespace epsnet::certify {
 /// The generators of the first surface's group are g_s = paths[t] · s · paths[t']⁻¹ for the sides s of its tiles t,
 /// glued to sides of tiles t'; those with s less than its partner are in the order of s.
 struct ComparisonDocument : GeodesicsDocument {
+  /// What the second surface is said to be.
   enum class Relation { isometric, different };
 
   /// Numbers of sides that a path crosses.

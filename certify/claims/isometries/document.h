@@ -34,6 +34,7 @@ struct IsometryRows {
 
 /// An isometries file: a spectrum, and generators of the isometry group with the order of the group.
 struct IsometriesDocument : GeodesicsDocument, IsometryRows {
+  /// Numbers of sides, as in the rows.
   using Word = IsometryRows::Word;
 
   /// Claims a complete spectrum.
