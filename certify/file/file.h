@@ -28,12 +28,14 @@ namespace epsnet::certify {
 /// The contents are not a file of the requested kind.
 class MalformedError : public LocatedError {
  public:
+  /// Like a LocatedError.
   using LocatedError::LocatedError;
 };
 
 /// The file cannot be opened or read; its contents are unknown.
 class FileError : public LocatedError {
  public:
+  /// Like a LocatedError.
   using LocatedError::LocatedError;
 };
 

@@ -26,7 +26,7 @@ def create_target_but_of_namespaces(self, node):
 
 
 def is_no_namespace_again(record):
-    return not re.search(r"Duplicate C\+\+ declaration[^\n]*\n.*cpp:type:: (epsnet|certify)'", record.getMessage())
+    return not re.search(r"Duplicate C\+\+ declaration[^\n]*\n.*cpp:type:: (epsnet|certify|unproved)'", record.getMessage())
 
 
 SphinxRenderer.create_doxygen_target = create_target_but_of_namespaces

@@ -3,8 +3,7 @@
 
 A page of the folder PAGES says with a line "headers: PREFIX..." which headers it shows: those whose paths start with one of the prefixes, in this
 order; a header goes where the longest prefix is. Every public class, enumeration, type and function of the headers is documented, in the XML that
-Doxygen makes of them. Not asked for: operators, defaulted and deleted functions, inherited constructors, and data members, of which the
-class says what they are.
+Doxygen makes of them. Not asked for: operators, defaulted and deleted functions, and data members, of which the class says what they are.
 """
 
 import pathlib
@@ -30,9 +29,7 @@ def undocumented(folder):
                 arguments = member.findtext("argsstring") or ""
                 if member.get("kind") not in KINDS or member.get("prot") == "private" or documented(member):
                     continue
-                own_name = name.rpartition("::")[2].split("<")[0].strip()
-                is_inherited = member.get("kind") == "function" and not member.findtext("type") and text.strip("~") != own_name
-                if is_inherited or text.startswith("operator") or arguments.endswith(("=default", "=delete")) or "<" in text:
+                if text.startswith("operator") or arguments.endswith(("=default", "=delete")) or "<" in text:
                     continue
                 yield member.find("location"), f"{name}::{text}"
 

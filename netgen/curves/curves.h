@@ -121,6 +121,7 @@ struct CurvesOptions {
                                                         const CurvesOptions& options = {});
 
 namespace unproved {
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::CurvesDocument curves(const Surface& surface, std::span<const Word> words,
                                              const CurvesOptions& options = {});
 }  // namespace unproved
@@ -317,6 +318,7 @@ class NotMaximalError : public NetError {
                                                                   const GeodesicsOptions& options = {});
 
 namespace unproved {
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::GeodesicsDocument local_maximum(const Surface& surface, const GeodesicsOptions& options = {});
 }  // namespace unproved
 

@@ -93,17 +93,22 @@ struct BoundOptions {
 [[nodiscard]] Certified<certify::BoundDocument> largest_embedded_disk(const Surface& surface,
                                                                       const BoundOptions& options = {});
 
-/// The same documents without their proofs: nothing in them is proved.
 namespace unproved {
 
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
                                                  const DistanceOptions& options = {});
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p,
                                                  const DirichletPolygon& domain_of_p, const BasePoint& q,
                                                  const DistanceOptions& options = {});
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex);
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::BoundDocument diameter(const Surface& surface, const BoundOptions& options = {});
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::BoundDocument radius(const Surface& surface, const BoundOptions& options = {});
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::BoundDocument largest_embedded_disk(const Surface& surface, const BoundOptions& options = {});
 
 }  // namespace unproved

@@ -49,9 +49,9 @@ struct EigenvaluesOptions {
 [[nodiscard]] Certified<certify::EigenvaluesDocument> eigenvalues(const Surface& surface,
                                                                   const EigenvaluesOptions& options = {});
 
-/// The same document without its proof: nothing in it is proved.
 namespace unproved {
 
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options = {});
 
 }  // namespace unproved

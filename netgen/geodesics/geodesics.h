@@ -38,12 +38,14 @@ struct GeodesicsOptions {
 [[nodiscard]] Certified<certify::GeodesicsDocument> thick_thin(const Surface& surface,
                                                                const GeodesicsOptions& options = {});
 
-/// The same documents without their proofs: nothing in them is proved.
 namespace unproved {
 
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::GeodesicsDocument systole(const Surface& surface, const GeodesicsOptions& options = {});
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to,
                                                   const GeodesicsOptions& options = {});
+/// The same document without its proof: nothing in it is proved.
 [[nodiscard]] certify::GeodesicsDocument thick_thin(const Surface& surface, const GeodesicsOptions& options = {});
 
 }  // namespace unproved
