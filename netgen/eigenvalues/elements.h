@@ -14,6 +14,10 @@
 #include "netgen/lifts/lifts.h"
 #include "triangulation/surface/surface.h"
 
+#ifndef EIGEN_NO_CPUID  // Sums as long as the processor's caches would make files differ between machines.
+#error "compile with EIGEN_NO_CPUID: link the target epsnet_eigen"
+#endif
+
 /// Finite elements on the flat triangles with the corners of a net's triangles, which are halved: the matrices of
 /// docs/proof.md, section 17.1, rounded, and their eigenvalues.
 namespace epsnet {
