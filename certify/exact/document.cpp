@@ -447,10 +447,11 @@ BoundDocument read_bound(const Json& root) {
   return document;
 }
 
-GeodesicsDocument read_geodesics(const Json& root) {
+namespace {
+
+GeodesicsDocument read_geodesics(const Json& root, Words& words) {
   using enum GeodesicsDocument::Claim;
   expect_version(root);
-  Words words;
   const Json& claim = member(root, "claim");
   if (is_text(claim, "spectrum")) {
     expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters"});
@@ -472,6 +473,13 @@ GeodesicsDocument read_geodesics(const Json& root) {
   expect_text(claim, "systole", "the claim");
   expect_members(root, {"format", "version", "claim", "net", "geodesics"});
   return read_list(root, systole, words);
+}
+
+}  // namespace
+
+GeodesicsDocument read_geodesics(const Json& root) {
+  Words words;
+  return read_geodesics(root, words);
 }
 
 EigenvaluesDocument read_eigenvalues(const Json& root) {
@@ -558,7 +566,7 @@ ComparisonDocument read_comparison(const Json& root) {
   expect_text(member(other, "claim"), "spectrum", "the claim of the other spectrum");
   return {.claim = different,
           .first = read_list(root, GeodesicsDocument::Claim::spectrum, words),
-          .other = read_geodesics(other),
+          .other = read_geodesics(other, words),
           .paths = {},
           .pair = {},
           .images = {}};

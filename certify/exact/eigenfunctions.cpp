@@ -319,7 +319,9 @@ Sums partition_bounds(const std::vector<NearLift>& near, double epsilon, double 
 
 /// Of a function on the surface that is at most the k-th value in a region around vertex k of at most a disk's area.
 Interval greatest_integral(std::vector<Interval> values, const Interval& disk, const Interval& area) {
-  std::sort(values.begin(), values.end(), [](const Interval& x, const Interval& y) { return x.upper() > y.upper(); });
+  if (!std::all_of(values.begin(), values.end(), [](const Interval& value) { return value.is_bounded(); }))
+    give_up("a bound is not known");
+  std::sort(values.begin(), values.end(), Interval::has_greater_upper_end);
   Interval sum;
   Interval left = area;
   for (const Interval& value : values) {

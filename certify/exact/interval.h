@@ -166,6 +166,14 @@ class Interval {
     return mpfr_greaterequal_p(x.lower_, y.upper_) != 0 ? Answer::no : Answer::unknown;
   }
 
+  /// Whether the upper end is a greater one, an order of intervals whose ends are numbers.
+  static bool has_greater_upper_end(const Interval& x, const Interval& y) {
+    return mpfr_greater_p(x.upper_, y.upper_) != 0;
+  }
+
+  /// Whether both ends are numbers, and none is infinite.
+  [[nodiscard]] bool is_bounded() const { return mpfr_number_p(lower_) != 0 && mpfr_number_p(upper_) != 0; }
+
   /// One number, about in the middle.
   [[nodiscard]] Interval middle() const {
     Interval z;

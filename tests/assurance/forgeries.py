@@ -3087,6 +3087,16 @@ def eigenfunction_of_another_eigenvalue():
 
 
 @forgery(UNPROVED)
+def eigenfunction_after_one_of_another_eigenvalue():
+    """A second row has the function of λ_1 for an eigenvalue in [3.2, 3.3], where none is, and λ_2 is said to be there."""
+    document = one_function()
+    row = document["eigenfunctions"][0]
+    document["eigenfunctions"].append({**row, "lambda": 3.25, "in": [3.2, 3.3]})
+    document["eigenvalues"].append({"in": [3.2, 3.3], "count": 1})
+    return document
+
+
+@forgery(UNPROVED)
 def eigenfunction_that_is_constant():
     """The function 1 around each vertex."""
     document = one_function()

@@ -166,7 +166,7 @@ TEST(SlowSecondCheckerOfGeodesics, APowerIsNotWhatAListLacks) {
 }
 
 TEST(SlowSecondCheckerOfGeodesics, HigherPowersAreNotWhatAListLacks) {
-  // Powers of cuffs that are less than 0.1 long, up to the ninth and more.
+  // Squares and cubes of cuffs that are 0.5 long; those of shorter ones: PowersOfPowersAreThoseOfTheirRoot.
   GeodesicsDocument good = load<GeodesicsDocument>("geodesics/two-cuffs-that-differ-by-1e-14");
   ASSERT_EQ(outcome(good), "VERIFIED");
   for (std::size_t i = 0; i < good.geodesics.size(); ++i) {
@@ -195,6 +195,28 @@ TEST(SlowSecondCheckerOfGeodesics, HigherPowersAreNotWhatAListLacks) {
   }
 }
 
+TEST(SlowSecondCheckerOfGeodesics, PowersOfPowersAreThoseOfTheirRoot) {
+  // Two curves, 0.04 and 0.05 long, and no others up to 1. A power is one of other powers, too, that no list has: the
+  // twelfth one is the square of the sixth.
+  GeodesicsDocument good = load<GeodesicsDocument>("forgeries/spectrum-with-a-figure-eight");
+  good.up_to = "1";
+  good.geodesics.resize(2);
+  good = in_order(std::move(good));
+  ASSERT_EQ(outcome(good), "VERIFIED");
+  for (const auto& row : good.geodesics) {
+    for (const int times : {2, 3, 4, 6, 8, 9, 12}) {
+      GeodesicsDocument document = good;
+      GeodesicsDocument::ClosedGeodesic power = row;
+      for (int k = 1; k < times; ++k) power.word = joined(power.word, row.word);
+      power.length = {before(times * row.length.lower), after(times * row.length.upper)};
+      document.geodesics.push_back(power);
+      document = in_order(std::move(document));
+      EXPECT_EQ(outcome(document), "REFUTED: distinct") << row.length.lower << ", " << times << " times";
+      EXPECT_EQ(first_outcome(document), "REFUTED: distinct") << row.length.lower << ", " << times << " times";
+    }
+  }
+}
+
 TEST(SlowSecondCheckerOfGeodesics, AWrongSimpleIsRefuted) {
   // Two figure eights among geodesics that are simple.
   const auto good = load<GeodesicsDocument>("forgeries/spectrum-with-a-figure-eight");
@@ -209,16 +231,75 @@ TEST(SlowSecondCheckerOfGeodesics, AWrongSimpleIsRefuted) {
   EXPECT_EQ(outcome(document), "REFUTED: simple");
 }
 
-TEST(SlowSecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
-  const GeodesicsDocument good = load<GeodesicsDocument>("geodesics/two-short-cuffs-that-differ-by-1e-17");
-  ASSERT_EQ(outcome(good), "VERIFIED");
-  for (std::size_t c = 0; c < good.clusters.size(); ++c) {
-    if (good.clusters[c].count == 1) continue;
-    EXPECT_FALSE(good.clusters[c].equal);
-    GeodesicsDocument document = good;
-    document.clusters[c].equal = true;
-    EXPECT_EQ(outcome(document), "REFUTED: equal");
+TEST(SlowSecondCheckerOfGeodesics, SimpleIsAskedOfEveryRowAndOfASystole) {
+  for (const std::string name : {"forgeries/spectrum", "forgeries/systole", "forgeries/small-curves"}) {
+    const auto good = load<GeodesicsDocument>(name);
+    for (std::size_t i = 0; i < good.geodesics.size(); ++i) {
+      ASSERT_TRUE(good.geodesics[i].simple);
+      GeodesicsDocument document = good;
+      document.geodesics[i].simple = false;
+      EXPECT_EQ(outcome(document), "REFUTED: simple") << name << ", " << i;
+      EXPECT_EQ(first_outcome(document), "REFUTED: simple") << name << ", " << i;
+    }
   }
+}
+
+TEST(SlowSecondCheckerOfGeodesics, EqualLengthsAreNotOnlyEqualInTheirFirstDigits) {
+  // Two lengths that differ by 10⁻¹²⁰: as enclosures do not tell.
+  auto document = load<GeodesicsDocument>("geodesics/systoles-that-differ-by-1e-120");
+  ASSERT_EQ(document.geodesics[0].word, (Word{0, 5}));
+  document.claim = GeodesicsDocument::Claim::spectrum;
+  document.up_to = "2.9236";
+  document.geodesics.push_back(document.geodesics[0]);
+  document.geodesics[1].word = {3, 6};
+  document.clusters = {{0, 2, true}};
+  EXPECT_EQ(outcome(document), "REFUTED: equal");
+  EXPECT_EQ(first_outcome(document), "REFUTED: equal");
+}
+
+/// 2 arsinh 1, the number with so many digits that is next to it below or above.
+std::string two_arsinh_1(std::size_t digits, mpfr_rnd_t direction) {
+  mpfr_t x;
+  mpfr_init2(x, 1024);
+  mpfr_set_ui(x, 1, MPFR_RNDN);
+  mpfr_asinh(x, x, MPFR_RNDN);
+  mpfr_mul_ui(x, x, 2, MPFR_RNDN);
+  mpfr_exp_t exponent = 0;
+  char* text = mpfr_get_str(nullptr, &exponent, 10, digits, x, direction);
+  std::string result(text);
+  EXPECT_EQ(exponent, 1);
+  mpfr_free_str(text);
+  mpfr_clear(x);
+  return result.insert(1, ".");
+}
+
+TEST(SlowSecondCheckerOfGeodesics, ABoundThatIsNearlyALengthDecidesNothing) {
+  // The spectrum is one geodesic, of the length 2 arsinh 1.
+  auto document = load<GeodesicsDocument>("geodesics/one-curve-of-2-arsinh-1");
+  document.claim = GeodesicsDocument::Claim::spectrum;
+  document.pieces.clear();
+  document.up_to = two_arsinh_1(60, MPFR_RNDU);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.up_to = two_arsinh_1(60, MPFR_RNDD);
+  EXPECT_EQ(outcome(document), "REFUTED: geodesics");
+  for (const mpfr_rnd_t direction : {MPFR_RNDU, MPFR_RNDD}) {
+    document.up_to = two_arsinh_1(100, direction);
+    EXPECT_EQ(outcome(document), "UNDECIDED: geodesics");
+  }
+}
+
+TEST(SlowSecondCheckerOfGeodesics, ASystoleIsKnownUpToLessThanAFactorOf2) {
+  auto document = load<GeodesicsDocument>("forgeries/systole");
+  const double upper = document.geodesics[0].length.upper;
+  document.geodesics[0].length = {upper / 2, upper};
+  EXPECT_EQ(outcome(document), "MALFORMED");
+  EXPECT_EQ(first_outcome(document).substr(0, 9), "MALFORMED");
+  document.geodesics[0].length = {after(upper / 2), upper};
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(first_outcome(document), "VERIFIED");
+}
+
+TEST(SlowSecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
   // The last of two or three.
   const GeodesicsDocument all = octagon();
   for (std::size_t i = 0; i + 2 < all.geodesics.size(); ++i) {
@@ -372,6 +453,90 @@ TEST(SlowSecondCheckerOfDistances, AllLengthsAreEqualIfTheFileSaysSo) {
   do {
     EXPECT_EQ(outcome(document), "REFUTED: equal");
   } while (std::next_permutation(document.paths.begin(), document.paths.end()));
+}
+
+TEST(SlowSecondCheckerOfDistances, EveryDartLeadsToANeighbour) {
+  // Of two triangles with a common edge, the points between their circumcentres are nearer to the ends of the edge than
+  // to all other lifts of the vertex. Of two shortest paths one is left out: the one behind the loop of the dart, and
+  // behind that of no other dart.
+  const auto good = load<DistanceDocument>("distances/octagon");
+  const certify::Reference reference(good.net);
+  const auto word = [&](std::uint32_t dart) {
+    const std::uint32_t label = certify::corner_label(good.net, dart);
+    return label == 0 ? Word{} : good.net.labels[label - 1].word;
+  };
+  const auto unit = [](const certify::Vector& x) {
+    const certify::Real size = std::sqrt(-certify::lorentz(x, x));
+    return certify::Vector{x[0] / size, x[1] / size, x[2] / size};
+  };
+  const certify::RationalPoint& centre = good.net.charts[0].centre;
+  const certify::Complex c(centre.x.get_d(), centre.y.get_d());
+  const certify::Complex p(good.net.vertices[0].x, good.net.vertices[0].y);
+  for (std::uint32_t dart = 0; dart < 3 * good.net.triangles.size(); ++dart) {
+    const auto here = unit(reference.circumcentre(dart / 3));
+    const auto there = certify::image(certify::inverted(reference.transition(dart)),
+                                      unit(reference.circumcentre(certify::opposite(good.net, dart) / 3)));
+    const auto between = unit({here[0] + there[0], here[1] + there[1], here[2] + there[2]});
+    // In the chart of the vertex, and in the tile.
+    const certify::Complex x = certify::image(certify::inverted(reference.label(certify::corner_label(good.net, dart))),
+                                              certify::point_of(between));
+    const certify::Complex q = (x + c) / (certify::Real{1} + std::conj(c) * x);
+    DistanceDocument document = good;
+    document.equal = false;
+    document.point.z = {mpq_class(static_cast<double>(q.real())), mpq_class(static_cast<double>(q.imag()))};
+    const certify::Real length =
+        std::max(certify::distance(p, x), certify::distance(certify::image(reference.element(dart), p), x));
+    document.distance = {0, static_cast<double>(length) + 1e-10};
+    document.paths = {Word{}};
+    EXPECT_EQ(outcome(document), "REFUTED: nearest") << dart;
+    EXPECT_EQ(first_outcome(document), "REFUTED: nearest") << dart;
+    document.paths.push_back(joined(word(certify::next_dart(dart)), reversed(good.net, word(dart))));
+    EXPECT_EQ(outcome(document), "VERIFIED") << dart;
+    EXPECT_EQ(first_outcome(document), "VERIFIED") << dart;
+  }
+}
+
+TEST(SlowSecondCheckerOfDistances, ALengthThatIsNearlyAnEndDecidesNothing) {
+  // Of all points on a segment one is as far along the path as an end of `distance`: it lies between two that are so
+  // near each other that numbers of 256 bits do not tell.
+  const auto octagon = load<DistanceDocument>("distances/octagon");
+  for (const bool upper : {false, true}) {
+    DistanceDocument document = octagon;
+    (upper ? document.distance.lower : document.distance.upper) *= upper ? 0.5 : 1.1;
+    ASSERT_EQ(outcome(document), "VERIFIED");
+    const mpq_class start = document.point.z.x;
+    mpq_class good = 0;
+    mpq_class bad = 0;
+    for (const int sign : {1, -1}) {
+      document.point.z.x = start + mpq_class(sign, 1000);
+      if (outcome(document) == "REFUTED: paths") bad = mpq_class(sign, 1000);
+    }
+    ASSERT_NE(bad, 0);
+    std::string last;
+    for (int k = 0; k < 400; ++k) {
+      const mpq_class middle = (good + bad) / 2;
+      document.point.z.x = start + middle;
+      last = outcome(document);
+      if (last == "VERIFIED") {
+        good = middle;
+      } else if (last == "REFUTED: paths") {
+        bad = middle;
+      } else {
+        break;
+      }
+    }
+    EXPECT_EQ(last, "UNDECIDED: paths") << upper;
+  }
+}
+
+TEST(SlowSecondCheckerOfDistances, EqualLengthsAreNotOnlyEqualInTheirFirstDigits) {
+  auto document = load<DistanceDocument>("distances/four-equal");
+  ASSERT_TRUE(document.equal);
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, 200);
+  document.point.z.x += mpq_class(1, power);
+  EXPECT_EQ(outcome(document), "REFUTED: equal");
+  EXPECT_EQ(first_outcome(document), "REFUTED: equal");
 }
 
 TEST(SlowSecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {

@@ -211,6 +211,42 @@ TEST(SecondCheckerOfComparisons, TheOtherNetIsExamined) {
   EXPECT_EQ(both(document), "REFUTED: covering");
 }
 
+TEST(SecondCheckerOfComparisons, TheOtherNetIsVerifiedAndNotOnlyNotRefuted) {
+  // Epsilon is the shortest edge of the other net to 2600 digits: neither checker knows which of the two is more.
+  const Document genera = read("genera");
+  Document document = genera;
+  static_cast<GeodesicsDocument&>(document) = genera.other;
+  document.other = static_cast<const GeodesicsDocument&>(genera);
+  EXPECT_EQ(both(document), "VERIFIED");
+  document.other.net = read_file<NetDocument>(
+      EPSNET_TEST_DATA "/certify/undecided/packing-epsilon-is-the-edge-length-to-2600-digits.json");
+  EXPECT_EQ(both(document), "UNDECIDED: other");
+}
+
+TEST(DeepSecondCheckerOfComparisons, LettersOfBothListsHaveALimitInAll) {
+  for (const std::size_t labels : {4U, 6U}) {
+    Document document = octagons();
+    for (NetDocument* net : {&document.net, &document.other.net}) {
+      Word million;  // There and back.
+      while (million.size() < 1'000'000) {
+        million.push_back(0);
+        million.push_back(reversed(*net, {0})[0]);
+      }
+      for (std::size_t i = 0; i < labels; ++i) net->labels.push_back({0, 0, million});
+    }
+    std::ostringstream out;
+    write_file(document, out);
+    const auto read_by_first = [&] { static_cast<void>(parse_file<ClaimDocument>(out.str(), "it")); };
+    if (2 * labels < 10) {
+      EXPECT_NO_THROW(read_by_first());
+      EXPECT_EQ(exact::check(out.str()).verdict, exact::Verdict::verified);
+    } else {
+      EXPECT_THROW(read_by_first(), MalformedError);
+      EXPECT_EQ(exact::check(out.str()).verdict, exact::Verdict::malformed);
+    }
+  }
+}
+
 TEST(SecondCheckerOfComparisons, WordsLeadWhereTheyShould) {
   const Document good = read("wollmilchsau");
   Document document = good;

@@ -256,6 +256,20 @@ TEST(Curves, PowersAreTheGreatest) {
               HasSubstr("curve 6 is power 2 of a primitive one"));
 }
 
+/// A word that ends within a period is no power: 011 011 01. (Its walk is as the word says, as no two letters turn
+/// back.)
+TEST(Curves, APowerEndsWithItsRoot) {
+  Document document = octagon();
+  ASSERT_EQ(std::count(document.basis.begin(), document.basis.end(), 5U), 0);
+  document.curves[5].word = {0, 1, 1, 0, 1, 1, 0, 1};
+  document.curves[5].length = {1e-3, 1000};
+  document.curves[5].power = 2;
+  EXPECT_EQ(both(document), "REFUTED: powers");
+  // The other numbers are those of another curve.
+  document.curves[5].power = 1;
+  EXPECT_EQ(both(document), "REFUTED: intersections");
+}
+
 // Rule intersections.
 
 TEST(Curves, IntersectionsAreCounted) {
@@ -392,6 +406,27 @@ TEST(Curves, ABasisHasAUnimodularMatrix) {
   // Curve 9 is curve 3 once more.
   ASSERT_EQ(good.basis.back(), 9U);
   EXPECT_THAT(with(0, 3), HasSubstr("determinant 0"));
+}
+
+/// Each curve has its own class, whatever the classes are: only the determinant, which is 0, tells that there are
+/// others.
+TEST(Curves, ABasisIsIndependent) {
+  const Document good = octagon();
+  // Curve 5 is a combination of curves 1, 2 and 9, and curve 3 is curve 9.
+  ASSERT_EQ(good.curves[5].homology, (std::vector<std::int64_t>{1, -1, 0, -1}));
+  for (const std::vector<std::uint32_t>& curves : {std::vector<std::uint32_t>{1, 2, 5, 9}, {3, 2, 4, 9}}) {
+    EXPECT_EQ(both(basis_alone(good, curves)), "REFUTED: homology");
+  }
+}
+
+/// The first two curves of a basis may cross so often that its matrix has no minor 1 there: 0, 2; −2, 0.
+TEST(Curves, ABasisMayBeginWithCurvesThatCrossTwice) {
+  Document document = octagon();
+  std::rotate(document.basis.begin(), document.basis.begin() + 2, document.basis.end());
+  for (auto& curve : document.curves)
+    std::rotate(curve.homology.begin(), curve.homology.begin() + 2, curve.homology.end());
+  ASSERT_EQ(pair_of(document, document.basis[0], document.basis[1]).algebraic, 2);
+  EXPECT_EQ(both(document), "VERIFIED");
 }
 
 /// In another order, and with a curve backwards, it is a basis as well.
@@ -660,6 +695,69 @@ TEST(ClosedWalks, TwiceAWalkIsDeformedLikeTheWalk) {
       for (std::uint32_t k = 0; k < 4; ++k, rest /= edges) walk.push_back(2 * (rest % edges) + k % 2);
       const auto once = graph.rightmost(walk);
       ASSERT_EQ(least_of(graph.rightmost(joined(walk, walk))), least_of(joined(once, once))) << number;
+    }
+  }
+}
+
+/// Whether the closed geodesics of words, primitive ones that differ, fill.
+bool geodesics_fill(exact::RadialGraph graph, const std::vector<Word>& words) {
+  std::vector<exact::RadialGraph::Walk> walks;
+  for (const Word& word : words) walks.push_back(graph.rightmost(graph.walk(word)));
+  std::vector<const exact::RadialGraph::Walk*> all;
+  std::vector<exact::RadialGraph::Joint> joints;
+  for (std::size_t i = 0; i < walks.size(); ++i) {
+    all.push_back(&walks[i]);
+    for (std::size_t j = i; j < walks.size(); ++j) {
+      for (const auto& [step, other] : graph.crossings(walks[i], walks[j], i == j).steps)
+        joints.push_back({i, step, j, other});
+    }
+  }
+  return graph.generate(all, joints);
+}
+
+/// A side between corners that are one vertex is a closed curve. Geodesics of words without it do not fill. The sides
+/// of this octagon are glued in pairs 0 3, 1 5, 2 7 and 4 6, not opposite ones.
+TEST(ClosedWalks, ThatDoNotCrossASideDoNotFill) {
+  const auto net = read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/g2-small-1-vertex.json");
+  const SurfaceSides sides(net.surface);
+  ASSERT_EQ(sides.vertices().size(), 1U);
+  ASSERT_EQ(sides.partner, (std::vector<std::uint32_t>{3, 5, 7, 0, 6, 1, 4, 2}));
+  const Words words(net, 1);
+  EXPECT_TRUE(geodesics_fill(words.graph(), {{0}, {1}, {2}, {4}}));
+  // Connected, without sides 1 and 5.
+  EXPECT_FALSE(geodesics_fill(words.graph(), {{0}, {2}, {7, 4}, {0, 4}}));
+}
+
+/// Two loops that cross once are in a torus with a hole. Its simple closed curve of the class (p, q), p, q > 0, is a
+/// word of p letters and q others, spread evenly. Two of them cross as often as their classes say, also where they run
+/// beside each other farther than once around, one way or the other.
+TEST(ClosedWalks, OfATorusCrossAsOftenAsTheirClassesSay) {
+  const Words words(regular_net(2), 1);
+  struct Simple {
+    long p;
+    long q;
+    exact::RadialGraph::Walk walk;
+  };
+  std::vector<Simple> curves;
+  for (long p = 1; p <= 5; ++p) {
+    for (long q = 1; q <= 5; ++q) {
+      if (std::gcd(p, q) != 1) continue;
+      Word word;
+      for (long k = 0; k < p + q; ++k) word.push_back((k + 1) * q / (p + q) > k * q / (p + q) ? 1 : 0);
+      exact::RadialGraph graph = words.graph();
+      curves.push_back({p, q, graph.rightmost(graph.walk(word))});
+      curves.push_back({-p, -q, graph.rightmost(graph.walk(words.back(word)))});
+    }
+  }
+  for (const Simple& x : curves) {
+    exact::RadialGraph graph = words.graph();
+    for (const Simple& y : curves) {
+      const long algebraic = x.p * y.q - x.q * y.p;
+      if (algebraic == 0) continue;
+      const exact::WalkCrossings found = graph.crossings(x.walk, y.walk, false);
+      EXPECT_EQ(found.steps.size(), static_cast<std::size_t>(std::abs(algebraic)))
+          << x.p << ' ' << x.q << ", " << y.p << ' ' << y.q;
+      EXPECT_EQ(found.signs, algebraic) << x.p << ' ' << x.q << ", " << y.p << ' ' << y.q;
     }
   }
 }

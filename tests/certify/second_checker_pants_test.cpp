@@ -507,6 +507,20 @@ TEST(SecondCheckerOfPants, ATwistOfExactlyZeroMayBeAnEnd) {
   EXPECT_EQ(count, 2U);
 }
 
+TEST(SecondCheckerOfPants, ATwistThatIsNotToldFromAnEndIsUndecided) {
+  // A twist of exactly 0, along a path that goes around the cuff so often that no exact number is computed for it.
+  Pants file = load("bolza");
+  ASSERT_LT(std::abs(file.cuffs[0].twist[0]), 1e-9);
+  const Word turn = path_of(file, file.cuffs[0].ends[0]);
+  for (int k = 0; k < 1100; ++k) lengthen(file.cuffs[0], turn, {});
+  ASSERT_EQ(outcome(file), "VERIFIED");
+  // True and false.
+  for (const Range range : {Range{0, 1}, Range{-1, 0}, Range{1e-300, 1}, Range{-1, -1e-300}}) {
+    file.cuffs[0].twist = range;
+    EXPECT_EQ(outcome(file), "UNDECIDED: twists") << text_of(range);
+  }
+}
+
 TEST(SlowSecondCheckerOfPants, LongPathsAcrossAreVerifiedOrUndecided) {
   const Pants good = load("fenchel-nielsen-2");
   for (const auto& [turns, expected] : {std::pair{100, "VERIFIED"}, std::pair{100'000, "UNDECIDED: glued"}}) {

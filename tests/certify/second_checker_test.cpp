@@ -283,6 +283,20 @@ TEST(SecondChecker, FindsEigenvaluesOfWrongStructureMalformed) {
   };
   EXPECT_EQ(second_row(2.795), "MALFORMED");
   EXPECT_EQ(second_row(std::nextafter(2.795, 3)), "UNDECIDED: eigenfunctions");
+  // The third row and the second one have points in common; the first one is elsewhere.
+  const auto third_row = [](double from) {
+    return forged("octagon-5-with-a-function", [&](Document& d) {
+      d.eigenfunctions[0].functions = {std::vector<double>(27, 1)};
+      d.eigenfunctions.resize(3, d.eigenfunctions[0]);
+      d.eigenfunctions[1].in = {2.8, 2.9};
+      d.eigenfunctions[1].lambda = 2.85;
+      d.eigenfunctions[2].in = {from, 3};
+      d.eigenfunctions[2].lambda = 2.95;
+    });
+  };
+  EXPECT_EQ(third_row(2.85), "MALFORMED");
+  EXPECT_EQ(third_row(2.9), "MALFORMED");
+  EXPECT_EQ(third_row(std::nextafter(2.9, 3)), "UNDECIDED: eigenfunctions");
 }
 
 TEST(SecondChecker, EverySingleByteRemovedIsNoticedOrHarmless) {
@@ -887,6 +901,32 @@ TEST(BothCheckers, TilesAreStrictlyConvexAtEveryCorner) {
   for (std::size_t k = 0; k < flat.size(); ++k) {
     expect_messages(rotated(flat, k), "strictly convex", "strictly convex");
     expect_messages(rotated(dented, k), "strictly convex", "strictly convex");
+  }
+}
+
+TEST(BothCheckers, EveryCornerClosesUp) {
+  // The octagon with the corners a, (1 + i)b and so on, cut from its centre into eight tiles: around the centre the
+  // angles add up to 2π, around the other corner if and only if ab = 1/2. Either is the corner that comes first.
+  for (const auto& [a, b] : {std::pair{mpq_class(5, 6), mpq_class(3, 5)},
+                             {mpq_class(5, 6), mpq_class(16, 25)},
+                             {mpq_class(5, 6), mpq_class(14, 25)}}) {
+    const SurfaceDocument::Tile corners{{a, 0}, {b, b}, {0, a}, {-b, b}, {-a, 0}, {-b, -b}, {0, -a}, {b, -b}};
+    for (const std::uint32_t first : {0U, 1U, 2U}) {
+      SurfaceDocument surface;
+      const auto side = [&](std::uint32_t k) { return (k + 3 - first) % 3; };
+      for (std::uint32_t t = 0; t < 8; ++t) {
+        surface.tiles.push_back(rotated({{0, 0}, corners[t], corners[(t + 1) % 8]}, first));
+        surface.gluing.push_back({t, side(2), (t + 1) % 8, side(0)});
+        if (t < 4) surface.gluing.push_back({t, side(1), t + 4, side(1)});
+      }
+      const Result result = surface_alone(surface);
+      if (a * b * 2 == 1) {
+        EXPECT_EQ(outcome(result), "REFUTED: map") << first;
+      } else {
+        EXPECT_EQ(outcome(result), "REFUTED: surface") << first;
+        EXPECT_NE(result.message.find("do not close up"), std::string::npos) << result.message;
+      }
+    }
   }
 }
 

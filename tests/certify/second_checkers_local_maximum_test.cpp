@@ -307,6 +307,21 @@ TEST(LocalMaximum, BasisAndWeightsAreThoseOfTheFormatForBothCheckers) {
   expect_malformed([](auto& document) { document.up_to = "-1"; });
 }
 
+TEST(LocalMaximum, TheBasisIsOfTheFirstCluster) {
+  // Twelve systoles, and twelve longer geodesics, of which one is in the basis.
+  GeodesicsDocument document = load("bolza-maximum");
+  const GeodesicsDocument longer = load("bolza-to-6.2");
+  document.net = longer.net;
+  document.geodesics.assign(longer.geodesics.begin(), longer.geodesics.begin() + longer.clusters[2].first);
+  document.clusters.assign(longer.clusters.begin(), longer.clusters.begin() + 2);
+  document.up_to = "4.9";
+  document.basis = {0, 1, 2, 3, 4, 12};
+  EXPECT_EQ(certify::check(document, {.threads = 1}).verdict, Verdict::malformed);
+  std::ostringstream out;
+  certify::write_file(document, out);
+  EXPECT_EQ(check(out.str()).verdict, exact::Verdict::malformed);
+}
+
 TEST(LinearEquations, HaveTheSolutionThatTheyAreMadeOf) {
   std::mt19937 random(2);  // NOLINT(cert-msc51-cpp): the same each time.
   const auto digit = [&] { return static_cast<long>(random() % 7) - 3; };

@@ -94,6 +94,38 @@ TEST(RoughQuotients, ByWhatMayBeZeroAreUnknown) {
 INSTANTIATE_TEST_SUITE_P(AnyRounding, RoughIntervals,
                          testing::Values(FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO));
 
+TEST(RoughInterval, OperationsAreThoseOfTheirEnds) {
+  // All intervals with ends from −2 to 3.
+  std::vector<std::array<double, 2>> all;
+  for (int a = -2; a <= 3; ++a) {
+    for (int b = a; b <= 3; ++b) all.push_back({static_cast<double>(a), static_cast<double>(b)});
+  }
+  const auto expect_ends = [](const RoughInterval& x, double lower, double upper) {
+    EXPECT_LE(x.lower(), lower);
+    EXPECT_NEAR(x.lower(), lower, 1e-12);
+    EXPECT_GE(x.upper(), upper);
+    EXPECT_NEAR(x.upper(), upper, 1e-12);
+  };
+  for (const auto& [a, b] : all) {
+    const RoughInterval x = RoughInterval::around(a, b);
+    expect_ends(-x, -b, -a);
+    const bool has_zero = a <= 0 && b >= 0;
+    EXPECT_NEAR(square(x).lower(), has_zero ? 0 : std::min(a * a, b * b), 1e-12);
+    EXPECT_GE(square(x).upper(), std::max(a * a, b * b));
+    if (a >= 0) expect_ends(sqrt(x), std::sqrt(a), std::sqrt(b));
+    for (const auto& [c, d] : all) {
+      const RoughInterval y = RoughInterval::around(c, d);
+      expect_ends(x + y, a + c, b + d);
+      expect_ends(x - y, a - d, b - c);
+      expect_ends(x * y, std::min({a * c, a * d, b * c, b * d}), std::max({a * c, a * d, b * c, b * d}));
+      if (c > 0 || d < 0)
+        expect_ends(x / y, std::min({a / c, a / d, b / c, b / d}), std::max({a / c, a / d, b / c, b / d}));
+      // Ends that are equal are not told apart.
+      EXPECT_EQ(is_less(x, y), b < c ? Answer::yes : a > d ? Answer::no : Answer::unknown);
+    }
+  }
+}
+
 TEST(RoughInterval, WhatOverflowsIsTheWholeLine) {
   RoughInterval x = RoughInterval::around(1e200, 1e200);
   const RoughInterval zero = 0;

@@ -280,6 +280,35 @@ TEST(SecondCheckersCollars, HaveTheirVerticesOnDifferentSidesOfTheCoreWhereverTh
   EXPECT_GT(met[Verdict::refuted], 10);
 }
 
+/// An octagon whose angles add up to 2π, with the symmetries of a square.
+Net square_octagon(const std::vector<std::array<Index, 2>>& pairs) {
+  Net net;
+  net.epsilon = 1;
+  auto& tile = net.tiles.emplace_back();
+  for (const auto& [x, y] : {std::pair{5, -4}, {5, 4}, {4, 5}, {-4, 5}, {-5, 4}, {-5, -4}, {-4, -5}, {4, -5}})
+    tile.push_back(RationalPoint{{x, y}, 7});
+  for (const auto& [s, other] : pairs) net.gluing.push_back({0, s, 0, other});
+  return net;
+}
+
+/// Sides 0 and 2, 1 and 3: p to 0, half a turn, 0 to q′.
+TEST(SecondCheckersRationalCrossings, TakeTheEndsOfSidesToThoseOfTheirPartners) {
+  for (const Net& net :
+       {square_octagon({{0, 4}, {1, 5}, {2, 6}, {3, 7}}), square_octagon({{0, 2}, {1, 3}, {4, 6}, {5, 7}})}) {
+    NetRules<mpz_class> rules(net);
+    rules.rules()[0].ask();
+    const auto start = [&](Index s) { return net.tiles[rules.tile_of(s)][rules.vertex_of(s)]; };
+    const auto end = [&](Index s) { return start(rules.side_after(s)); };
+    for (Index s = 0; s < rules.sides(); ++s) {
+      const Index other = rules.partner(s);
+      const Isometry<mpz_class> g = rules.value({s});
+      EXPECT_EQ(sgn(mpz_class(norm(g.a) - norm(g.b))), 1) << s;
+      EXPECT_EQ(sgn(mpz_class(squared_difference(rules.image(g, start(s)), end(other)))), 0) << s;
+      EXPECT_EQ(sgn(mpz_class(squared_difference(rules.image(g, end(s)), start(other)))), 0) << s;
+    }
+  }
+}
+
 TEST(SecondCheckersLabels, AreTheValuesOfTheirWordsBetweenTheirCharts) {
   const Net net = parsed(load("forgeries/collars"));
   NetRules<mpz_class> rules(net);
