@@ -3097,6 +3097,31 @@ def eigenfunction_after_one_of_another_eigenvalue():
 
 
 @forgery(UNPROVED)
+def eigenfunction_of_squares_beyond_binary64():
+    """It is 2^700 around one vertex and 2^540 elsewhere; no eigenvalue is in [0.49, 0.51], where one is said to be.
+
+    Vertices are numbered such that, if all squares of bounds are infinite, a sort leaves those far from the vertex first.
+    """
+    document = eigenvalues("octagon-5")
+    net = document["net"]
+    vertex = 31
+    near = [2, 4, 7, 22, 26, vertex, 32]
+    order = [*near, 19, 20, 21, 23, 24, 25, 27, 28, 29, 30, 12, 1, 3, 5, 6, 8, 9, 10, 11, 0, 13, 14, 15, 16, 17, 18, 33]
+    net["vertices"] = [net["vertices"][v] for v in order]
+    for triangle in net["triangles"]:
+        triangle[:3] = [order.index(v) for v in triangle[:3]]
+    function = []
+    for v in order:
+        function += [2.0 ** (700 if v == vertex else 540)] + 24 * [0]
+    document["eigenvalues"] = [{"in": [0.49, 0.51], "count": 1}]
+    document["next"] = document["at_most"][0]["below"]
+    document["at_most"] = document["at_most"][:1]
+    document["at_least"] = document["vertex_order"] = []
+    document["eigenfunctions"] = [{"in": [0.49, 0.51], "lambda": 0.5, "radius": 0.55, "functions": [function]}]
+    return document
+
+
+@forgery(UNPROVED)
 def eigenfunction_that_is_constant():
     """The function 1 around each vertex."""
     document = one_function()
