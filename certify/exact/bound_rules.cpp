@@ -31,6 +31,8 @@ constexpr std::size_t kMotions = 100;
 constexpr std::size_t kEdges = 8;
 /// Steps that make the base: some 100 MB.
 constexpr std::size_t kMaxSteps = 100'000;
+/// Cells of a triangle that are cut and not asked yet, 2 kB each: more than the depth of a subdivision by a thousand.
+constexpr std::size_t kMostOpenCells = 10'000;
 
 /// A triangulation with one vertex: of each dart what is opposite, and the number of its element.
 struct Map {
@@ -339,6 +341,7 @@ class BoundRules {
         const Cell cell = std::move(open.back());
         open.pop_back();
         if (entry < 3) {
+          if (open.size() > kMostOpenCells) throw TooLarge{"triangle " + number(t) + " is cut too often in one place"};
           const Index end_of_side = (entry + 1) % 3;
           const Index far = (entry + 2) % 3;
           const Middle middle = middle_of(cell, entry);

@@ -67,22 +67,24 @@ class DistanceRules {
 
  private:
   [[nodiscard]] bool is_listed(const Isometry<R>& element) {
-    spend(bits(element) * elements_.size() + bits_of_elements_);
+    spend(bits(element) * elements_.size() + bits_of_elements_,
+          "comparing " + number(document_.paths.size()) + " paths, two at a time,");
     return std::any_of(elements_.begin(), elements_.end(),
                        [&](const auto& other) { return are_equal(element, other); });
   }
 
-  void spend(std::size_t compared) {
-    if (compared > bits_left_)
-      throw TooLarge{"comparing " + number(document_.paths.size()) + " paths, two at a time, takes more than " +
-                     number(kMostComparedBits) + " bits"};
+  void spend(std::size_t compared, const std::string& what) {
+    if (compared > bits_left_) throw TooLarge{what + " takes more than " + number(kMostComparedBits) + " bits"};
     bits_left_ -= compared;
   }
 
   /// Of the path with the element g, from the vertex to g⁻¹ of the point.
   HalfDistance<R> length(const Isometry<R>& g) {
     const Point<R> p = point<R>(document_.net.vertices[0].z);
-    const Point<R> end = net_.image(inverse(g), point<R>(document_.point));
+    const Point<R> q = point<R>(document_.point);
+    // The digits of the point are multiplied by all of the numbers of the element.
+    spend(bits(q) * bits(g) / 16, "the length of a path");
+    const Point<R> end = net_.image(inverse(g), q);
     return {squared_difference(p, end), gap(p) * gap(end)};
   }
 

@@ -307,21 +307,26 @@ Loops<R>& GeodesicRules<R>::loops() {
 
 template <class R>
 void GeodesicRules<R>::check_lengths() {
+  const auto sinh_of_half = [](const mpq_class& length) { return squared_sinh(length / 2); };
+  std::optional<SquaredSinh> up_to;  // Once for all geodesics: it may have many digits.
   for (std::size_t i = 0; i < document_.geodesics.size(); ++i) {
     const ClosedGeodesic& row = document_.geodesics[i];
     const Index chart = net_.net().vertices[row.vertex].chart;
     elements_.push_back(net_.product(inverse(net_.frame(chart)), net_.value(chart, row.word)));
     lengths_.emplace_back(elements_.back());
-    expect_less(i, row.length[0], false);
-    expect_less(i, row.length[1], true);
-    if (document_.has_up_to()) expect_less(i, document_.up_to, true);
+    expect_less(i, sinh_of_half(row.length[0]), false);
+    expect_less(i, sinh_of_half(row.length[1]), true);
+    if (document_.has_up_to()) {
+      if (!up_to) up_to = sinh_of_half(document_.up_to);
+      expect_less(i, *up_to, true);
+    }
     if (is_thick_thin() && !is_small(lengths_[i])) throw Refutation{name(i) + " is longer than 2 arsinh 1"};
   }
 }
 
 template <class R>
-void GeodesicRules<R>::expect_less(std::size_t i, const mpq_class& length, bool wanted) {
-  const Answer less = is_less(lengths_[i].numerator, lengths_[i].denominator, squared_sinh(length / 2));
+void GeodesicRules<R>::expect_less(std::size_t i, const SquaredSinh& bound, bool wanted) {
+  const Answer less = is_less(lengths_[i].numerator, lengths_[i].denominator, bound);
   if (less == Answer::unknown) give_up(name(i) + " has a length that is nearly a bound");
   if ((less == Answer::yes) != wanted) throw Refutation{name(i) + " has another length, or one beyond the bound"};
 }

@@ -53,7 +53,7 @@ class GeodesicRules {
   [[nodiscard]] std::vector<std::vector<Interval>> twist_derivatives();
 
   [[nodiscard]] bool is_thick_thin() const { return document_.claim == GeodesicsDocument::Claim::thick_thin; }
-  void expect_less(std::size_t i, const mpq_class& length, bool wanted);
+  void expect_less(std::size_t i, const SquaredSinh& bound, bool wanted);
   void find_powers();
   [[nodiscard]] const Class& class_of(std::size_t i) const { return classes_[loops_->representative(listed_[i])]; }
   /// The loop of an element of the list, moved along edges to where it is shorter.

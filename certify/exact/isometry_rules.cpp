@@ -51,13 +51,13 @@ class IsometryRules {
     net_.expect_words(document_.rows);
     if (document_.cocycle.size() != net_.sides() / 2) throw Malformed("cocycle: another number of values");
     const Values c = by_side(document_.cocycle);
+    std::vector<bool> seen(net_.sides());
     for (Index first = 0; first < net_.sides(); ++first) {
       std::uint32_t sum = 0;
-      Index s = first;
-      do {
+      for (Index s = first; !seen[s]; s = net_.side_after(net_.partner(s))) {
+        seen[s] = true;
         sum += c[s];
-        s = net_.side_after(net_.partner(s));
-      } while (s != first);
+      }
       if (sum != 0) throw Malformed("cocycle: the sum around a vertex is not 0");
     }
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -23,6 +24,13 @@ constexpr const char* kUsage =
     "Exit codes: 0 verified, or --help, 1 refuted, 2 undecided, 3 malformed file,\n"
     "5 no claim, 64 usage, 70 internal fault.\n";
 
+/// No text of a file can then pass for a line of output.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
+  return text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -46,14 +54,14 @@ int main(int argc, char** argv) try {
   if (result.verdict == epsnet::exact::Verdict::malformed) {
     const std::string why = epsnet::exact::why_no_claim(text);
     if (!why.empty()) {
-      std::cout << "NO CLAIM: " << why << std::endl;
+      std::cout << "NO CLAIM: " << on_one_line(why) << std::endl;
       return std::cout ? kExitNoClaim : kExitInternal;
     }
   }
   constexpr const char* kNames[] = {"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
   const auto code = static_cast<int>(result.verdict);
   std::cout << kNames[code] << (result.rule.empty() ? "" : ": ") << result.rule;
-  if (!result.message.empty()) std::cout << ": " << result.message;
+  if (!result.message.empty()) std::cout << ": " << on_one_line(result.message);
   std::cout << std::endl;
   return std::cout ? code : kExitInternal;
 } catch (const std::exception& error) {

@@ -94,10 +94,11 @@ void NetRules<R>::check_surface() {
 
 template <class R>
 const Isometry<R>& NetRules<R>::label(Index number_of_label) {
-  const auto [found, is_new] = labels_.try_emplace(number_of_label);
-  if (!is_new || number_of_label == 0) return found->second;
+  const auto found = labels_.find(number_of_label);
+  if (found != labels_.end()) return found->second;
+  if (number_of_label == 0) return labels_[0];
   const Label& l = net().labels[number_of_label - 1];
-  return found->second = product(inverse(frame(l.to)), value(l.from, l.word));
+  return labels_.emplace(number_of_label, product(inverse(frame(l.to)), value(l.from, l.word))).first->second;
 }
 
 template <class R>
@@ -126,9 +127,10 @@ Point<R> NetRules<R>::corner(Index dart) {
 
 template <class R>
 const Isometry<RoughInterval>& NetRules<R>::rough_label(Index number_of_label) {
-  const auto [found, is_new] = rough_labels_.try_emplace(number_of_label);
-  if (is_new && number_of_label != 0) found->second = rough(label(number_of_label));
-  return found->second;
+  const auto found = rough_labels_.find(number_of_label);
+  if (found != rough_labels_.end()) return found->second;
+  if (number_of_label == 0) return rough_labels_[0];
+  return rough_labels_.emplace(number_of_label, rough(label(number_of_label))).first->second;
 }
 
 template <class R>

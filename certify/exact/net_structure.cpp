@@ -83,6 +83,7 @@ std::vector<std::vector<Index>> NetStructure::paths() const {
   std::vector<std::vector<Index>> result(net_.tile_count());
   std::vector<bool> reached(result.size());
   std::vector<Index> tiles{0};
+  std::size_t letters = 0;
   reached[0] = true;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const Index tile = tiles[i];
@@ -90,6 +91,8 @@ std::vector<std::vector<Index>> NetStructure::paths() const {
       const Index beyond = tile_of(partner(side(tile, k)));
       if (reached[beyond]) continue;
       reached[beyond] = true;
+      letters += result[tile].size() + 1;
+      if (letters > kMostLettersOfGenerators) throw TooLarge{"the paths to all tiles are too long"};
       result[beyond] = result[tile];
       result[beyond].push_back(side(tile, k));
       tiles.push_back(beyond);

@@ -71,6 +71,7 @@ class TileRules {
       return sgn(determinant(v[i], v[j % n], v[k % n])) > 0;
     };
     for (std::size_t k = 0; k < n; ++k) {
+      rules_.spend(bits(v[0]) + bits(v[1]));  // The others are used three times each.
       const bool left_of_first = k < 2 || is_left(0, 1, k);
       const bool in_order = k < 1 || k + 1 >= n || is_left(0, k, k + 1);
       if (!is_left(k, k + 1, k + 2) || !left_of_first || !in_order) {

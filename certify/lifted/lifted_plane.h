@@ -61,6 +61,8 @@ class LiftedPlane {
   void spend(std::uint64_t operations, std::uint64_t times = 1) const {
     budget_.spend(operations * ball_work(static_cast<std::uint64_t>(precision_)), times);
   }
+  /// The same for so many steps in which nothing is computed.
+  void pass(std::uint64_t steps) const { budget_.spend(2, steps); }
   /// The same for memory for so many balls.
   void keep(std::uint64_t balls, std::uint64_t times = 1) const {
     budget_.spend(memory_work(balls * (48 + static_cast<std::uint64_t>(precision_) / 8)), times);

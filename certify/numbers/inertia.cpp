@@ -133,12 +133,14 @@ std::vector<Panel> panels_of(const EliminationTree& tree) {
 constexpr std::uint32_t kColumnsOfBlock = 48;  ///< Columns that are eliminated together.
 
 /// How many additions a term of a sum of the factorization passes through, at most: those of the columns of its block;
-/// and in its panel, and in all panels above, one for each block, and one where panels meet.
-double most_additions(const std::vector<Panel>& panels, const std::vector<std::uint32_t>& parent) {
+/// and in its panel, and in all panels above, one for each block, and one for each child.
+double most_additions(const std::vector<Panel>& panels, const std::vector<std::uint32_t>& parent,
+                      const std::vector<std::size_t>& children) {
   std::vector<double> additions(panels.size());
   double most = 0;
   for (std::size_t p = panels.size(); p-- > 0;) {
-    additions[p] = std::ceil(static_cast<double>(panels[p].columns()) / kColumnsOfBlock) + 1;
+    additions[p] =
+        std::ceil(static_cast<double>(panels[p].columns()) / kColumnsOfBlock) + static_cast<double>(children[p]);
     if (parent[p] != kNone) additions[p] += additions[parent[p]];
     most = std::max(most, additions[p]);
   }
@@ -437,7 +439,7 @@ Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, un
     for (std::size_t p = 0; p < panels.size(); ++p) elimination.eliminate(panels[p], children[p]);
 
     // A little more than in the lemma, for the rounding of the sums.
-    const double rounding = (most_additions(panels, parent) + 3) * 0x1.1p-53;
+    const double rounding = (most_additions(panels, parent, children) + 3) * 0x1.1p-53;
     const double underflow = (size_ + 3.0) * size_ * 0x1p-499;
     bool proved = elimination.in_range();
     for (std::uint32_t i = 0; i < size_; ++i)

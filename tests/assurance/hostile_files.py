@@ -1150,6 +1150,16 @@ def distance_of_many_paths():
 
 
 @kind
+def distance_to_a_point_of_many_digits():
+    """On a surface of genus 20: the digits are multiplied by numbers of a large degree."""
+    result = epsnet("distance", "0,0.1,-1/3", "0,0,0", surface=["regular", "--genus", "20"])
+    result.update(point=[0, rational(Fraction(digits(200_000), digits(200_000, 2) * 2)), "0"], distance=[0, 1000])
+    letters = random.Random(1)
+    result["paths"] = [[letters.randrange(80) for _ in range(30)] for _ in range(2)]
+    return result
+
+
+@kind
 def bound_of_many_triangulations():
     document = regular_net(20)
     triangles = len(document["triangles"])
@@ -1272,6 +1282,64 @@ def thick_thin_of_powers():
     """A true one of three geodesics so short that ten thousands of their powers are loops at one vertex."""
     return epsnet("thick-thin", surface=["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths", "1e-4,1e-4,1e-4",
                                          "--seed", "1"])
+
+
+@kind
+def isometries_of_one_cycle_of_corners():
+    """The sides of one tile, all corners of which are one vertex: their sum is that of the whole cycle for each of them."""
+    sides = 46_000
+    document = {"format": "epsnet-isometries", "version": 1, "net": None, "up_to": "1", "geodesics": [], "clusters": [],
+                "order": 1, "isometries": [], "paths": [[]], "pair": [[], []], "cocycle": [0] * (sides // 2)}
+    document["net"] = {"format": "epsnet-net", "version": 1,
+                       "surface": {"kind": "tiles", "tiles": [[["0", "0"]] * sides],
+                                   "gluing": [[0, k, 0, k + sides // 2] for k in range(sides // 2)]},
+                       "epsilon": "1", "charts": [], "labels": [], "vertices": [], "triangles": []}
+    return document
+
+
+@kind
+def spectrum_up_to_a_number_of_many_digits():
+    """The same geodesic 2,000 times; the number is read for each of them."""
+    result = geodesics("bolza-to-6.2")
+    result["up_to"] = "6.2" + "0" * 799_990 + "1"
+    result["geodesics"] = result["geodesics"][:1] * 2000
+    result["clusters"] = [{"first": 0, "count": 2000, "equal": False}]
+    return result
+
+
+@kind
+def spectrum_of_a_geodesic_around_a_short_core():
+    """A word of 192,000 letters around a core of length 10⁻⁸: its chords in a triangle are very many, and cross early."""
+    result = geodesics("one-cuff-of-1e-8-to-6.5")
+    result["up_to"] = "300"
+    result["geodesics"] = [{"vertex": 20, "word": [12, 9] * 96_000 + [12], "length": [1e-3, 250], "simple": False}]
+    result["clusters"] = [{"first": 0, "count": 1, "equal": False}]
+    return result
+
+
+@kind
+def bound_of_cells_nested_deeply():
+    """Cells of a triangle, each of which is cut again before any is asked."""
+    with open(os.path.join(data, "bounds", "octagon-diameter-base.json")) as file:
+        result = json.load(file)
+    result["cells"][0] = [0] * 200_000 + [3] * 200_001
+    return result
+
+
+@kind
+def tile_of_two_long_corners():
+    """A convex tile of 2,000 corners on a circle, two of which have 90,000 digits: both are in the sign of each triple."""
+    corners, count = [], 2000
+    for k in range(count):
+        t = Fraction(round(math.tan(math.pi * k / count - math.pi / 2 + 1e-3) * 10**12), 10**12)
+        x, y = (1 - t * t) / (1 + t * t) / 2, 2 * t / (1 + t * t) / 2
+        if k < 2:
+            x, y = (z * (1 + Fraction(1, 10**90_000 + 1)) for z in (x, y))
+        corners.append([rational(x), rational(y)])
+    result = net("octagon-1-vertex")
+    result["surface"] = {"kind": "tiles", "tiles": [corners],
+                         "gluing": [[0, k, 0, k + count // 2] for k in range(count // 2)]}
+    return result
 
 
 @kind

@@ -111,6 +111,12 @@ expect spectrum-at-a-vertex-of-many-edges VERIFIED
 expect thick-thin-of-powers VERIFIED
 expect empty-arrays-many MALFORMED
 expect members-many MALFORMED
+expect isometries-of-one-cycle-of-corners 'REFUTED: surface'
+expect spectrum-up-to-a-number-of-many-digits 'REFUTED: distinct'
+expect spectrum-of-a-geodesic-around-a-short-core 'REFUTED: complete'
+expect bound-of-cells-nested-deeply 'REFUTED: cells'
+expect tile-of-two-long-corners 'REFUTED: surface'
+expect distance-to-a-point-of-many-digits 'REFUTED: equal'
 
 echo "$runs runs, $failures failures"
 [ "$failures" = 0 ]

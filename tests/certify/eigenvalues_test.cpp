@@ -1227,6 +1227,25 @@ TEST(SparseMatrices, ErrorsOfARowAddUp) {
   }
 }
 
+/// A hub and leaves, each of which takes less than half a unit of the last place off the hub: 65,535 of these are more
+/// than it has. Every leaf is an addition, and the roundings of all of them count.
+TEST(SparseMatrices, RoundingsOfEachChildCount) {
+  constexpr std::uint32_t kHub = 1 << 16;
+  const double hub = std::ldexp(1 + 0x1p-20, 80);
+  const double leaf = 0.499 * 0x1p28;
+  const double lost = (kHub - 1) * leaf;
+  Entries entries{{kHub, kHub, hub, 0},
+                  {kHub - 1, kHub - 1, hub, 0},
+                  {kHub, kHub - 1, std::sqrt(hub) * std::sqrt(hub - 0.85 * lost), 0}};
+  for (std::uint32_t i = 0; i + 1 < kHub; ++i) {
+    entries.push_back({i, i, leaf, 0});
+    entries.push_back({kHub, i, leaf, 0});
+  }
+  // hub − Σ leaf²/leaf − (hub − 0.85 lost) = −0.15 lost
+  const Inertia found = SparseMatrix(kHub + 1, entries).negative_eigenvalues(Bound::upper, {}, 1, 0);
+  EXPECT_TRUE(!found.proved || found.negative >= 1);
+}
+
 /// (−1, 0, p; 0, 1, q; p, q, 0) has two negative eigenvalues for p = 0.79 and q = 0.81.
 TEST(SparseMatrices, APlaceOfTheDiagonalWithoutEntriesIsZero) {
   const Entries entries{{0, 0, -1, 0}, {1, 1, 1, 0}, {2, 0, 1, 0.21}, {2, 1, 0.6, 0.21}};

@@ -175,7 +175,7 @@ std::vector<std::vector<std::int64_t>> steps_of_labels(const EigenvaluesDocument
   for (const EigenvaluesDocument::Direction& direction : document.box->directions) {
     std::vector<std::int64_t>& of_labels = result.emplace_back(1, 0);
     for (const NetDocument::Label& label : document.net.labels) {
-      budget.spend(10 + 10 * label.word.size());
+      budget.spend(memory_work(sizeof(std::int64_t)) + 10 * label.word.size());
       of_labels.push_back(step(direction, label.word));
     }
   }

@@ -292,17 +292,22 @@ std::vector<Meetings> find_meetings(const LiftedPlane& plane, std::span<const Ax
                    [](const Chord& x, const Chord& y) { return x.triangle < y.triangle; });
   std::vector<Meetings> result(geodesics.size());
   for (auto y = chords.begin(); y != chords.end(); ++y) {
+    std::uint64_t known = 0;
     for (auto x = y; x != chords.begin() && std::prev(x)->triangle == y->triangle;) {
       --x;
       const bool same = x->geodesic == y->geodesic;
       Tri& of_x = same ? result[x->geodesic].itself : result[x->geodesic].another;
       Tri& of_y = same ? of_x : result[y->geodesic].another;
-      if (of_x == Tri::yes && of_y == Tri::yes) continue;
+      if (of_x == Tri::yes && of_y == Tri::yes) {
+        ++known;
+        continue;
+      }
       plane.spend(4);
       const Tri cross = certainly_less(abs(lorentz_product(*x->axis, *y->axis, plane.precision())), Ball::exactly(1));
       of_x = either(of_x, cross);
       of_y = either(of_y, cross);
     }
+    plane.pass(known);
   }
   return result;
 }

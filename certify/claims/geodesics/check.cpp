@@ -324,10 +324,12 @@ class GeodesicsCheck {
       Tri within = Tri::unknown;
     };
     std::vector<Answer> answers(elements_.size());
+    // Once for all geodesics: up_to may have many digits.
+    const Ball bound = is_systole() ? Ball() : cosh_half_bound(plane);
     for_each_parallel(answers.size(), threads_, [&](unsigned, std::size_t i) {
       const BallIsometry f = element(plane, i);
       answers[i].enclosed = is_enclosed(f, document_.geodesics[i].length);
-      answers[i].within = is_systole() ? Tri::yes : is_within(plane, f, i);
+      answers[i].within = is_systole() ? Tri::yes : is_within(bound, f, i);
     });
     for (const Tri wanted : {Tri::no, Tri::unknown}) {
       const auto found = std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
@@ -359,8 +361,8 @@ class GeodesicsCheck {
     return both(above_lower, below_upper);
   }
 
-  [[nodiscard]] Tri is_within(const LiftedPlane& plane, const BallIsometry& f, std::size_t i) const {
-    const Tri less = certainly_less(cosh_half_length(f), cosh_half_bound(plane));
+  [[nodiscard]] Tri is_within(const Ball& bound, const BallIsometry& f, std::size_t i) const {
+    const Tri less = certainly_less(cosh_half_length(f), bound);
     if (less != Tri::unknown || !is_thick_thin()) return less;
     const auto sign = traces_.compare_with_short(evaluator_.word(elements_[i]));
     if (!sign) return Tri::unknown;
