@@ -133,18 +133,24 @@ std::vector<Panel> panels_of(const EliminationTree& tree) {
 constexpr std::uint32_t kColumnsOfBlock = 48;  ///< Columns that are eliminated together.
 
 /// How many additions a term of a sum of the factorization passes through, at most: those of the columns of its block;
-/// and in its panel, and in all panels above, one for each block, and one for each child.
+/// in its panel one for each child and each block; and in all panels above one for each block, and, as what children
+/// leave is added from the last child to the first, one for the child that it comes from and each before it.
 double most_additions(const std::vector<Panel>& panels, const std::vector<std::uint32_t>& parent,
                       const std::vector<std::size_t>& children) {
-  std::vector<double> additions(panels.size());
+  const auto blocks = [&](std::size_t p) {
+    return std::ceil(static_cast<double>(panels[p].columns()) / kColumnsOfBlock);
+  };
+  std::vector<std::size_t> left = children;
+  std::vector<double> above_panel(panels.size());
   double most = 0;
+  std::uint32_t widest = 0;
   for (std::size_t p = panels.size(); p-- > 0;) {
-    additions[p] =
-        std::ceil(static_cast<double>(panels[p].columns()) / kColumnsOfBlock) + static_cast<double>(children[p]);
-    if (parent[p] != kNone) additions[p] += additions[parent[p]];
-    most = std::max(most, additions[p]);
+    if (parent[p] != kNone)
+      above_panel[p] = static_cast<double>(left[parent[p]]--) + blocks(parent[p]) + above_panel[parent[p]];
+    most = std::max(most, static_cast<double>(children[p]) + blocks(p) + above_panel[p]);
+    widest = std::max(widest, static_cast<std::uint32_t>(panels[p].columns()));
   }
-  return most + 2 * kColumnsOfBlock;
+  return most + 2 * std::min(widest, kColumnsOfBlock);
 }
 
 /// A square matrix by columns, of which what is above the diagonal is not used.
