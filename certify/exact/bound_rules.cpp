@@ -31,7 +31,7 @@ constexpr std::size_t kMotions = 100;
 constexpr std::size_t kEdges = 8;
 /// Steps that make the base: some 100 MB.
 constexpr std::size_t kMaxSteps = 100'000;
-/// Cells of a triangle that are cut and not asked yet, 2 kB each: more than the depth of a subdivision by a thousand.
+/// Cells of a triangle that are cut and not asked yet, 2 kB each: one for each cut on the way to a cell.
 constexpr std::size_t kMostOpenCells = 10'000;
 
 /// A triangulation with one vertex: of each dart what is opposite, and the number of its element.
