@@ -15,12 +15,31 @@ namespace {
 /// Of the first enclosure of a root, which bisection finds; Newton's method goes on.
 constexpr slong kFirstRootBits = 64;
 
-/// The work of a product or a remainder of polynomials, which FLINT packs into one integer each.
-std::uint64_t length_work(const Polynomial& x, const Polynomial& y) {
-  const auto longer = static_cast<std::uint64_t>(std::max(fmpz_poly_length(x.get()), fmpz_poly_length(y.get())));
+std::uint64_t length(const Polynomial& x) { return static_cast<std::uint64_t>(fmpz_poly_length(x.get())); }
+
+/// The work of a product of polynomials, which FLINT packs into one integer each.
+std::uint64_t polynomial_product_work(const Polynomial& x, const Polynomial& y) {
+  const std::uint64_t longer = std::max(length(x), length(y));
   const std::uint64_t bits =
       bits_of_coefficients(x) + bits_of_coefficients(y) + static_cast<std::uint64_t>(std::bit_width(longer));
-  return product_work(2 * longer * bits) + 8 * longer;
+  return product_work(2 * longer * bits) + 40 * longer;
+}
+
+/// The work of the remainder of x by f, which is monic and not longer: a coefficient of the quotient after the other is
+/// multiplied with all of f, and each may have as many bits more as those of f have.
+std::uint64_t remainder_work(const Polynomial& x, const Polynomial& f) {
+  const std::uint64_t quotient = length(x) - length(f) + 1;
+  const std::uint64_t limbs_of_quotient = (bits_of_coefficients(x) + quotient * bits_of_coefficients(f) / 2) / 64 + 1;
+  const std::uint64_t limbs_of_f = bits_of_coefficients(f) / 64 + 1;
+  return polynomial_product_work(x, f) + quotient * length(f) * (20 + 2 * limbs_of_quotient * limbs_of_f);
+}
+
+/// The work of a greatest common divisor of x and f: that of short ones is found by subresultants, whose coefficients
+/// grow.
+std::uint64_t divisor_work(const Polynomial& x, const Polynomial& f) {
+  constexpr std::uint64_t kShort = 6;
+  return length(f) *
+         (1500 + (length(f) < kShort ? 50 : 15) * product_work(bits_of_coefficients(x) + bits_of_coefficients(f)));
 }
 
 Polynomial polynomial(const std::vector<mpz_class>& coefficients) {
@@ -75,7 +94,7 @@ bool is_known_to(const Ball& x, slong bits) { return mag_cmp_2exp_si(arb_radref(
 Polynomial product(const NumberField& field, const Polynomial& x, const Polynomial& y) {
   Polynomial result;
   if (is_zero(x) || is_zero(y)) return result;
-  field.budget().spend(length_work(x, y));
+  field.budget().spend(polynomial_product_work(x, y));
   fmpz_poly_mul(result.get(), x.get(), y.get());
   field.reduce(result);
   return result;
@@ -186,8 +205,8 @@ Ball NumberField::value(const Polynomial& x) const {
 }
 
 void NumberField::reduce(Polynomial& x) const {
-  if (fmpz_poly_length(x.get()) < fmpz_poly_length(f_.get())) return;
-  budget_.spend(length_work(x, f_));
+  if (length(x) < length(f_)) return;
+  budget_.spend(remainder_work(x, f_));
   fmpz_poly_rem(x.get(), x.get(), f_.get());
 }
 
@@ -242,8 +261,7 @@ int sign(const FieldNumber& x) {
   }
   if (result != 0) return result;
   // Of x and f: the greatest common divisor and what is left of f. One of them is 0 at α, and not both.
-  field.budget().spend(product_work(bits_of_coefficients(x.re) + bits_of_coefficients(field.f())) * field.degree(),
-                       8 * field.degree());
+  field.budget().spend(divisor_work(x.re, field.f()));
   Polynomial divisor;
   fmpz_poly_gcd(divisor.get(), x.re.get(), field.f().get());
   Polynomial rest;

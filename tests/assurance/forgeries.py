@@ -5249,6 +5249,10 @@ def main():
     if command == "check" and arguments[:1] == ["--small"]:
         largest = 100_000
         del arguments[0]
+    names = arguments[2:] if command == "check" else arguments if command == "write" else []
+    for name in names:
+        if name not in entries:
+            sys.exit(f"forgeries.py: no file '{name}'; 'list' says which there are")
     if command == "check" and len(arguments) >= 2:
         asked, problems = check(*arguments[:2], arguments[2:] or list(entries), largest)
         print("\n".join(problems + [f"{asked} files, {len(problems)} problems"]))

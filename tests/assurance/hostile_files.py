@@ -290,6 +290,23 @@ def field_of_larger_products():
 
 
 @kind
+def field_of_large_coefficients():
+    """Remainders of products by f, of 64 coefficients of 2,000 bits each, have 64 times as many bits as these."""
+    choose = random.Random(2)
+    polynomial = [str(-choose.getrandbits(2000))] + [str(choose.getrandbits(2000)) for _ in range(63)] + ["1"]
+    zero, one = ["0"], ["1"]
+    polygons = [[[[str(choose.randint(1, 9)) for _ in range(64)] for _ in range(3)], [zero, zero, one], [zero, zero, one]]
+                for _ in range(1000)]
+    sides = [(tile, side) for tile in range(1000) for side in range(3)]
+    gluing = [[*first, *second] for first, second in zip(sides[::2], sides[1::2])]
+    return {"format": "epsnet-net", "version": 1,
+            "surface": {"kind": "field", "polynomial": polynomial, "root": ["0", "2"], "polygons": polygons,
+                        "gluing": gluing, "crossings": [[one, zero, zero, zero] for _ in gluing]},
+            "epsilon": "1", "charts": [[0, "0", "0"]], "labels": [], "vertices": [[0, 0, 0]],
+            "triangles": [[0, 0, 0, 0, 1, 2, 0, 0]]}
+
+
+@kind
 def field_of_nearly_equal_roots():
     """Those of x⁶⁴ = 2(2^100 x − 1)², near 2^−100, whose distance is 2^−3300."""
     document = net("octagon-33-vertices")

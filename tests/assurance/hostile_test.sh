@@ -54,6 +54,7 @@ expect label-random 'REFUTED: gluing'
 expect tile-of-random-long-coordinates 'REFUTED: surface'
 expect field-of-large-products ''
 expect field-of-larger-products ''
+expect field-of-large-coefficients ''
 expect field-of-nearly-equal-roots ''
 expect field-of-many-factors VERIFIED
 expect epsilon-of-900000-digits VERIFIED

@@ -184,7 +184,13 @@ TEST(EdgeDistance, OfShortSegmentsIsNoMoreThanThatOfTheirEnds) {
 TEST(EdgeDistance, OfWhatIsTooFarAwayNothingIsSaid) {
   const Interval far{1e71, 1e71};
   EXPECT_EQ(cosh2_below({far, far, far, far, {2, 2}, {2, 2}}), 1);
-  EXPECT_EQ(cosh2_below({{1, INFINITY}, {1, 2}, {1, 2}, {1, 2}, {2, 2}, {2, 2}}), 1);
+  const Interval near{1, 2};
+  for (const Interval x : {Interval{1, INFINITY}, Interval{1, NAN}, Interval{NAN, NAN}}) {
+    EXPECT_EQ(cosh2_below({x, near, near, near, near, near}), 1);
+    EXPECT_EQ(cosh2_below({near, near, near, x, near, near}), 1);
+    EXPECT_EQ(cosh2_below({near, near, near, near, x, near}), 1);
+    EXPECT_EQ(cosh2_below({near, near, near, near, near, x}), 1);
+  }
 }
 
 }  // namespace

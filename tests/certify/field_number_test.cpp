@@ -317,5 +317,28 @@ TEST(NumberFields, TakeTheirWorkOffTheBudget) {
       BudgetSpent);
 }
 
+/// x⁶⁴ = c_63 x⁶³ + … + c_0: of a product of small numbers, a remainder has 63 times as many bits as c.
+TEST(NumberFields, CountRemaindersByTheBitsOfAllCoefficients) {
+  const auto product = [](int bits) {
+    Coefficients f(65, -(mpz_class(1) << bits));
+    f.back() = 1;
+    const NumberField field(f, {1, (mpz_class(1) << bits) + 2}, Budget(400'000'000));
+    return field_number(field, Coefficients(64, 5)) * field_number(field, Coefficients(64, 7));
+  };
+  EXPECT_NO_THROW(product(30));
+  EXPECT_THROW(product(3000), BudgetSpent);
+}
+
+/// √2 as a root of (x² − 2)(x² − 3): that x² − 2 is 0 there is told by a greatest common divisor.
+TEST(NumberFields, CountGreatestCommonDivisors) {
+  const NumberField field({6, 0, -5, 0, 1}, {1, {3, 2}}, Budget(100'000'000));
+  const FieldNumber zero =
+      field_number(field, Coefficients{-2 * (mpz_class(1) << 100'000), 0, mpz_class(1) << 100'000});
+  const std::uint64_t before = field.budget().left();
+  EXPECT_EQ(sign(zero), 0);
+  // Hundreds of products of that many bits.
+  EXPECT_GT(before - field.budget().left(), 50'000'000);
+}
+
 }  // namespace
 }  // namespace epsnet::certify::field_number_test

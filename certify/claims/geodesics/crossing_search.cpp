@@ -86,11 +86,13 @@ double cosh2_below(SegmentPair pair) {
   const Interval er = at_least_1(pair.e_r);
   const Interval sl = at_least_1(pair.s_l);
   const Interval sr = at_least_1(pair.s_r);
-  const Interval edge = pair.l_r;
-  const Interval first_edge = pair.e_s;
+  const Interval edge = at_least_1(pair.l_r);
+  const Interval first_edge = at_least_1(pair.e_s);
   // Far below what could overflow, so that nothing is NaN.
   constexpr double kFarthest = 1e70;
-  if (!(std::max({el.upper, er.upper, sl.upper, sr.upper, edge.upper, first_edge.upper}) < kFarthest)) return 1;
+  for (const Interval& x : {el, er, sl, sr, edge, first_edge}) {
+    if (!(x.lower >= 1 && x.upper < kFarthest)) return 1;
+  }
   const double ends = std::min({end_to_edge2(el, sl, first_edge), end_to_edge2(er, sr, first_edge),
                                 end_to_edge2(el, er, edge), end_to_edge2(sl, sr, edge)});
   const bool apart = has_no_foot(sinh2_to_line(el, sl, first_edge), sinh2_to_line(er, sr, first_edge), edge) ||
