@@ -319,7 +319,7 @@ TEST(NumberFields, TakeTheirWorkOffTheBudget) {
 
 /// x⁶⁴ = c_63 x⁶³ + … + c_0: of a product of small numbers, a remainder has 63 times as many bits as c.
 TEST(NumberFields, CountRemaindersByTheBitsOfAllCoefficients) {
-  const auto product = [](int bits) {
+  const auto product = [](unsigned bits) {
     Coefficients f(65, -(mpz_class(1) << bits));
     f.back() = 1;
     const NumberField field(f, {1, (mpz_class(1) << bits) + 2}, Budget(400'000'000));
