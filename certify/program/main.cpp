@@ -81,8 +81,8 @@ std::string unknown_option(const CLI::App& app) {
 
 std::string description() {
   std::string text =
-      "Checks the claim of each file. Every number is enclosed in balls, and nothing is\n"
-      "taken from the generator.";
+      "Checks the claim of each file. Numbers are exact, enclosed in balls, or binary64\n"
+      "with bounds for their errors; nothing is taken from the generator.";
   for (const ClaimKind& kind : kClaimKinds) text.append("\n").append(kind.says);
   return text;
 }

@@ -33,8 +33,8 @@ struct CheckOptions {
   /// Files with closed geodesics only: the most lifted triangles visited. If the search for missing geodesics needs
   /// more, the rule `complete` is undecided.
   std::uint64_t max_visits = 1'000'000'000;
-  /// Geodesics, distance and bound files only: the most triangles of the net, each of which takes a kilobyte of memory.
-  /// Claims about a larger net are undecided. No such claim needs a finer net.
+  /// All claims but that of a net: the most triangles of the net, each of which takes a kilobyte of memory. Claims
+  /// about a larger net are undecided. No such claim needs a finer net.
   std::size_t max_triangles = std::size_t{1} << 20;
   /// Whether questions are tried in binary64, with bounds for its errors, before ball arithmetic (proof.md, section
   /// 16). Changes only the time.

@@ -68,6 +68,9 @@ expect eigenvalues-of-many-counts-by-vertices VERIFIED
 expect eigenvalues-of-many-intervals 'REFUTED: enclosures'
 expect eigenvalues-of-a-matrix-that-an-order-fills UNDECIDED
 expect eigenvalues-of-a-matrix-in-the-order-of-its-sides ''
+expect sections-of-a-matrix-in-the-order-of-its-sides ''
+expect sections-with-phases-of-huge-denominators MALFORMED
+expect sections-along-long-words 'REFUTED: enclosures'
 expect eigenvalues-of-many-functions 'REFUTED: enclosures'
 expect eigenvalues-of-a-thousand-functions-of-order-1 ''
 expect eigenvalues-of-many-rows-of-functions UNDECIDED
