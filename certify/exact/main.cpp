@@ -15,13 +15,13 @@ constexpr int kExitUsage = 64;
 constexpr int kExitInternal = 70;
 constexpr std::size_t kMaxBytes = std::size_t{1} << 32;
 constexpr const char* kUsage =
-    "Usage: certify-exact FILE\n\n"
+    "Usage: certify-exact FILE | --version\n\n"
     "Checks a net, a pseudo net, a geodesics, distance, bound, eigenvalues, isometries, pants,\n"
     "comparison or curves file: a second opinion beside certify, by integers and MPFR.\n"
     "FILE is read completely; - is standard input. Example: certify-exact net.json\n\n"
     "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or\n"
     "MALFORMED: why; of a file that claims nothing, as one of a surface, NO CLAIM: why.\n"
-    "Exit codes: 0 verified, or --help, 1 refuted, 2 undecided, 3 malformed file,\n"
+    "Exit codes: 0 verified, --help or --version, 1 refuted, 2 undecided, 3 malformed file,\n"
     "5 no claim, 64 usage, 70 internal fault.\n";
 
 /// No text of a file can then pass for a line of output.
@@ -31,14 +31,29 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
+/// The code, if all that was printed is written.
+int ended(int code) {
+  if (std::cout.flush()) return code;
+  std::cerr << "certify-exact: cannot write to standard output\n";
+  return kExitInternal;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 2 || std::string(argv[1]) == "--help") {
-    (argc == 2 ? std::cout : std::cerr) << kUsage << std::flush;
-    return argc != 2 ? kExitUsage : std::cout ? 0 : kExitInternal;
+  if (argc != 2) {
+    std::cerr << kUsage;
+    return kExitUsage;
   }
   const std::string path = argv[1];
+  if (path == "--help" || path == "-h") {
+    std::cout << kUsage;
+    return ended(0);
+  }
+  if (path == "--version") {
+    std::cout << "certify-exact " EPSNET_VERSION "\n";
+    return ended(0);
+  }
   std::ifstream file(path, std::ios::binary);
   std::istream& in = path == "-" ? std::cin : file;
   std::string text;
@@ -54,16 +69,16 @@ int main(int argc, char** argv) try {
   if (result.verdict == epsnet::exact::Verdict::malformed) {
     const std::string why = epsnet::exact::why_no_claim(text);
     if (!why.empty()) {
-      std::cout << "NO CLAIM: " << on_one_line(why) << std::endl;
-      return std::cout ? kExitNoClaim : kExitInternal;
+      std::cout << "NO CLAIM: " << on_one_line(why) << '\n';
+      return ended(kExitNoClaim);
     }
   }
   constexpr const char* kNames[] = {"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
   const auto code = static_cast<int>(result.verdict);
   std::cout << kNames[code] << (result.rule.empty() ? "" : ": ") << result.rule;
   if (!result.message.empty()) std::cout << ": " << on_one_line(result.message);
-  std::cout << std::endl;
-  return std::cout ? code : kExitInternal;
+  std::cout << '\n';
+  return ended(code);
 } catch (const std::exception& error) {
   std::cerr << "certify-exact: internal fault: " << error.what() << '\n';
   return kExitInternal;

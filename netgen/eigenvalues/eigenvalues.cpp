@@ -233,9 +233,9 @@ class Search {
   [[nodiscard]] Level level(std::uint32_t halvings) const {
     const double triangles = static_cast<double>(net_.document().triangles.size()) * std::pow(4.0, halvings);
     if (triangles > kMostTriangles) {
-      throw NetError(
-          "the eigenvalues are so near to each other that to tell them apart takes more than 10000000 "
-          "triangles");
+      throw NetError(std::string(options_.below ? "an eigenvalue is so near to the bound"
+                                                : "the eigenvalues are so near to each other") +
+                     " that to tell them apart takes more than 10000000 triangles");
     }
     net_.report_matrices();
     Level result(net_.geometry(), halvings, turns_);

@@ -403,7 +403,10 @@ class Inverse {
     if (sigma == sigma_) return;
     sigma_ = sigma;
     factors_.compute(Half<Scalar>(matrices_.energy - sigma * matrices_.mass));
-    if (factors_.info() != Eigen::Success) throw NetError("a matrix of finite elements is singular");
+    if (factors_.info() != Eigen::Success)
+      throw NetError(
+          "a matrix of finite elements is singular, as around a closed geodesic that is too short for numbers of "
+          "binary64");
   }
   void perform_op(const Scalar* x, Scalar* y) const {
     const Eigen::Map<const Column<Scalar>> from(x, rows());

@@ -598,6 +598,7 @@ std::string functions_text(const EigenvaluesDocument& document) {
     count += functions;
     first += row.count;
   }
+  if (!document.phases.empty()) return "files with phases have no eigenfunctions";
   if (count == 0) return "the file has no eigenfunctions, which take 3 digits or more";
   std::string text = "the file has " + std::to_string(count) + (count == 1 ? ", that of " : ", those of ");
   for (std::size_t i = 0; i < ranges.size(); ++i)

@@ -221,23 +221,25 @@ void add_bands_command(CLI::App& app, Job& chosen) {
               "them, or G, where all are 0; as in G,1/2:0:0:0,G")
           ->option_text("A,B,...");
   CLI::Option* steps = command->add_option("--steps", shared->steps, "so many between two corners, at most 10000")
-                           ->check(integer_between(1, 10'000))
+                           ->transform(integer_between(1, 10'000))
                            ->option_text("N [10]");
   add_file(*command, "--path", shared->path,
            "instead: a file with the 2g numbers of a point on each line; \"#\" begins a comment")
       ->excludes(between)
       ->excludes(steps);
   command->add_option("--count", shared->count, "so many bands, at most 1000")
-      ->check(integer_between(1, 1000))
+      ->transform(integer_between(1, 1000))
       ->option_text("N [4]");
   command->add_option("--digits", shared->digits, "about so many digits of each eigenvalue, from 1 to 3")
-      ->check(integer_between(1, 3))
+      ->transform(integer_between(1, 3))
       ->option_text("D [2]");
   command->add_option("--epsilon", shared->epsilon, "of the net; by default it is chosen")->option_text("E");
   add_file(*command, "-o,--output", shared->output,
            "a table to write, .csv: step, phases, band, and the ends of the interval; \"-\" is standard output");
   add_file(*command, "--svg", shared->svg, "also draw the bands; \"-\" is standard output");
-  command->add_option("--keep", shared->keep, "write the eigenvalues file of each point into this folder, for certify")
+  command
+      ->add_option("--keep", shared->keep,
+                   "write the eigenvalues file of each point into this folder, which exists, for certify")
       ->option_text("FOLDER");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
@@ -249,7 +251,8 @@ void add_bands_command(CLI::App& app, Job& chosen) {
       "tree. An error for another number of phases lists the sides.\n\n"
       "Example:\n  epsnet surface regular --genus 2 -o s.json\n"
       "  epsnet bands s.json --between G,1/2:0:0:0,1/2:1/2:1/2:1/2,G --steps 10 -o bands.csv --svg bands.svg\n"
-      "  epsnet bands s.json --path points.txt --count 8 --keep files && certify files/point-0.json");
+      "  mkdir files && epsnet bands s.json --path points.txt --count 8 --keep files\n"
+      "  certify files/point-0.json");
   command->callback([&chosen, shared] { chosen = [shared] { find_bands(*shared); }; });
 }
 
@@ -312,12 +315,12 @@ void add_gap_command(CLI::App& app, Job& chosen) {
       ->required();
   command->add_option("--at-least", shared->at_least, "lambda_0 is at least that")->option_text("X")->required();
   command->add_option("--most", shared->most, "with no more boxes than that")
-      ->check(integer_between(1, 100'000'000))
+      ->transform(integer_between(1, 100'000'000))
       ->option_text("N [" + std::to_string(shared->most) + "]");
   command->add_option("--epsilon", shared->epsilon, "of the net [0.4]")->option_text("E");
   command
       ->add_option("--keep", shared->keep,
-                   "write the eigenvalues file of each box into this folder, for certify; at most 100000")
+                   "write the eigenvalues file of each box into this folder, which exists, for certify; at most 100000")
       ->option_text("FOLDER");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);

@@ -148,9 +148,10 @@ void add_distance(CLI::App& command, std::string& file);
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net);
 /// Returns the same for the paths of a distance file.
 [[nodiscard]] Layer load_distance_layer(const std::string& file, const certify::NetDocument& net);
-/// Returns a validator for a whole number from least to most, both included. CLI11's own has messages that differ
-/// between versions.
-[[nodiscard]] CLI::Validator integer_between(std::uint64_t least, std::uint64_t most);
+/// Returns a transform for a whole number from least to most, both included, least above -2⁶³: in decimal, also with
+/// leading zeros, which CLI11 would read as octal. Its own ranges have messages that differ between versions, and let
+/// numbers that are too large become the largest one.
+[[nodiscard]] CLI::Validator integer_between(std::int64_t least, std::uint64_t most);
 /// Returns a validator for an option with named values, in the order in which an error lists them.
 template <class T>
 [[nodiscard]] CLI::Validator one_of(std::vector<std::pair<std::string, T>> choices) {

@@ -194,6 +194,9 @@ std::optional<std::uint32_t> isometry_of(const Surface& surface, const MappingCl
 }
 
 void examine_mapping_class(const MappingClassRequest& request) {
+  if (request.product.empty() && !request.words.empty())
+    throw UsageError(
+        "mapping-class: --on needs PRODUCT, in front of it: all that follows --on are curves (try --help)");
   const Surface surface = read_surface_input(request.surface);
   const MappingClassGroup group(surface);
   if (request.product.empty()) return write_report(generators_report(group), request.json, false);
@@ -390,7 +393,7 @@ void add_maximize_command(CLI::App& app, Job& chosen) {
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   add_output(*command, shared->output, "the surface file to write");
   command->add_option("--steps", shared->steps, "look at no more surfaces than that")
-      ->check(integer_between(1, 100000))
+      ->transform(integer_between(1, 100000))
       ->option_text("N [" + std::to_string(shared->steps) + "]");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);

@@ -186,7 +186,9 @@ void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputF
     read.push_back(inputs[i].path.empty() ? Identity() : identity_of(inputs[i].path, STDIN_FILENO));
     if (inputs[i].path.empty()) continue;
     for (std::size_t k = 0; k < i; ++k) {
-      if (are_one(read[i], read[k]) && !S_ISREG(read[i].status.st_mode))
+      // A file that is standard input goes on where it was read to.
+      const bool both_standard = inputs[i].path == "-" && inputs[k].path == "-";
+      if (both_standard || (are_one(read[i], read[k]) && !S_ISREG(read[i].status.st_mode)))
         throw UsageError(named(inputs[k].option, inputs[k].path) + " and " + named(inputs[i].option, inputs[i].path) +
                          " are one stream, which can be read only once");
     }

@@ -74,7 +74,7 @@ struct OutputFile {
 
 /// Checks the files of a command; call it before any work. Throws UsageError if two outputs, or an input and an output,
 /// are the same file (under any spelling), if the extension of an output is that of another file type, or if a pipe
-/// would be read twice. Throws WriteError if an output cannot be made.
+/// or standard input would be read twice. Throws WriteError if an output cannot be made.
 void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs);
 
 /// Writes complete files, all or none; those without a path are left out.

@@ -337,10 +337,8 @@ int run(int argc, char** argv) {
       "  epsnet surface octagon --seed 123 -o s.json\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
       "  certify net.json\n\n"
-      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net, isometric, identify, local-maximum), 64 "
-      "invalid command "
-      "line, 70 "
-      "internal fault.\n"
+      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net, isometric, identify, isometries, "
+      "local-maximum, surface matrices), 64 invalid command line, 70 internal fault.\n"
       "An interrupted command leaves no files behind.");
   try {
     app.parse(argc, argv);

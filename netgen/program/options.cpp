@@ -57,20 +57,28 @@ void add_json(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print the report as one JSON object (docs/exchange-formats.md)");
 }
 
-CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
-  return {[=](const std::string& text) -> std::string {
-            std::uint64_t value = 0;
+CLI::Validator integer_between(std::int64_t least, std::uint64_t most) {
+  return {[=](std::string& text) -> std::string {
+            const bool negative = text.starts_with('-');
+            std::uint64_t size = 0;
             const char* const end = text.data() + text.size();
-            const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && stop == end && least <= value && value <= most) return "";
-            return "expected an integer from " + std::to_string(least) + " to " + std::to_string(most) + ", not \"" +
-                   text.substr(0, 80) + "\"";
+            const auto [stop, error] = std::from_chars(text.data() + (negative ? 1 : 0), end, size);
+            const bool in_range = negative ? least <= 0 && size <= std::uint64_t{0} - static_cast<std::uint64_t>(least)
+                                           : size <= most && (least <= 0 || static_cast<std::uint64_t>(least) <= size);
+            if (error != std::errc() || stop != end || !in_range)
+              return "expected an integer from " + std::to_string(least) + " to " + std::to_string(most) + ", not \"" +
+                     text.substr(0, 80) + "\"";
+            // CLI11 would read 010 as 8.
+            text = (negative && size > 0 ? "-" : "") + std::to_string(size);
+            return "";
           },
           ""};
 }
 
 void add_threads(CLI::App& command, unsigned& threads) {
-  command.add_option("--threads", threads, "0 is one per core")->check(integer_between(0, 1024))->option_text("N [0]");
+  command.add_option("--threads", threads, "0 is one per core")
+      ->transform(integer_between(0, 1024))
+      ->option_text("N [0]");
   add_progress(command);
 }
 

@@ -215,7 +215,7 @@ void add_draw_command(CLI::App& app, Job& chosen) {
           "--eigenfunction", request.eigenfunction,
           "of an eigenvalues file: the eigenfunction of its eigenvalue lambda_K, with the lines where it is 0, on "
           "the triangles of the net")
-      ->check(integer_between(1, 1'000'000))
+      ->transform(integer_between(1, 1'000'000))
       ->option_text("K");
   request.order = draw_command
                       ->add_option("--order", request.options.order,
@@ -255,7 +255,7 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   }
   draw_command->add_flag("--png", request.png, "write a PNG picture, to standard output too");
   draw_command->add_option("--size", request.options.size, "width and height in pixels")
-      ->check(integer_between(50, 20000))
+      ->transform(integer_between(50, 20000))
       ->option_text("PX [1000]");
   draw_command->footer(
       "Example:\n"

@@ -152,7 +152,8 @@ void add_common(CLI::App& command, GeodesicsRequest& request) {
            "also draw them, in the Dirichlet domain of a point of the first one; \"-\" is standard output");
   command
       .add_option("--epsilon", request.epsilon,
-                  "the epsilon of the net from which the search starts; any value gives the same list")
+                  "the epsilon of the net from which the search starts: any value gives the same list, but a small one "
+                  "takes long, and may leave the list undecided")
       ->option_text("E [1]");
   command.add_flag("--no-certify", request.no_certify, "do not check the list: nothing is proved");
   add_json(command, request.json);
@@ -386,7 +387,7 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
                            ->add_option("--count", shared->count,
                                         "the first so many, at most 1000, and those that cannot be told apart from the "
                                         "last one")
-                           ->check(integer_between(1, 1000))
+                           ->transform(integer_between(1, 1000))
                            ->option_text("N [10]");
   command
       ->add_option(
@@ -399,7 +400,7 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
       ->add_option("--digits", shared->digits,
                    "about so many digits of each eigenvalue, from 1 to 10. Up to 2 take much less time, and more find "
                    "eigenfunctions, which epsnet draw shows [9; none with --below]")
-      ->check(integer_between(1, 10))
+      ->transform(integer_between(1, 10))
       ->option_text("D");
   command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default at most 0.6")
       ->option_text("E");

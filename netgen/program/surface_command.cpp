@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -118,6 +120,8 @@ void add_octagon(CLI::App& surface, Job& chosen) {
       "A surface of genus 2 from a symmetric octagon: random, the same as CGAL 6.1 makes from that seed, or given.");
   CLI::Option* seed =
       command->add_option("--seed", request->seed, "a 32-bit integer; the same seed gives the same surface")
+          ->transform(
+              integer_between(std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()))
           ->option_text("N");
   command
       ->add_option("--coordinates", request->coordinates,
@@ -210,9 +214,10 @@ void add_fenchel_nielsen(CLI::App& surface, Job& chosen) {
   command
       ->add_option("--genus", request->coordinates.genus,
                    "2 or more; not needed with edges or with lists of lengths or twists")
+      ->transform(integer_between(2, kLargestGraphGenus))
       ->option_text("G");
   command->add_option("--seed", request->coordinates.seed, "0 to 2^64 - 1; the same seed gives the same surface")
-      ->check(CLI::NonNegativeNumber.description(""))
+      ->transform(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N");
   command
       ->add_option("--pants-graph", request->coordinates.graph,
@@ -264,7 +269,7 @@ void add_regular(CLI::App& surface, Job& chosen) {
       "regular", "The regular 4g-gon with opposite sides glued, exactly, without rational rounding: Bolza for g = 2.");
   command->add_option("--genus", request->genus, "2 to 1000")
       ->required()
-      ->check(integer_between(2, 1000))
+      ->transform(integer_between(2, 1000))
       ->option_text("G REQUIRED");
   add_surface_output(*command, *request);
   command->footer("Example:\n  epsnet surface regular --genus 2 -o bolza.json");
@@ -310,11 +315,11 @@ void add_cover(CLI::App& surface, Job& chosen) {
       ->add_option("--degree", request->degree,
                    "the number of sheets of a random cover, 1 to 50; all covers of this degree are equally likely")
       ->excludes(permutations)
-      ->check(integer_between(1, kMostRandomSheets))
+      ->transform(integer_between(1, kMostRandomSheets))
       ->option_text("N");
   command->add_option("--seed", request->seed, "0 to 2^64 - 1; the same seed gives the same cover")
       ->excludes(permutations)
-      ->check(CLI::NonNegativeNumber.description(""))
+      ->transform(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("K");
   add_surface_output(*command, *request);
   command->footer(
@@ -379,8 +384,8 @@ void add_dehn_twist(CLI::App& surface, Job& chosen) {
       "The same surface with another marking: its tiles as triangles, glued alike, after a Dehn twist along a curve.");
   add_input(*command, "SURFACE", request->surface, kSurfaceHelp);
   command->add_option("CURVE", request->curve, kCurveHelp);
-  command->add_option("POWER", request->power, "how often to the left; to the right, if it is negative")
-      ->check(CLI::Range(-kMostTwists, kMostTwists).description(""))
+  command->add_option("POWER", request->power, "how often to the left; to the right, if it is negative; -1000 to 1000")
+      ->transform(integer_between(-kMostTwists, kMostTwists))
       ->option_text("[1]");
   command->add_option("--word", request->product, std::string("instead of CURVE, ") + kProductHelp)
       ->option_text("PRODUCT")
@@ -455,12 +460,16 @@ void add_named(CLI::App& surface, Job& chosen) {
   CLI::Option* name =
       command->add_option("NAME", request->name, "a name of --list, a number in place of G")->option_text(" ");
   command->add_option("--genus", request->genus, "of a family: wiman --genus 7 is wiman-7")
-      ->check(integer_between(2, 1000))
+      ->transform(integer_between(2, 1000))
       ->option_text("G");
-  command->add_flag("--list", request->list, "print all names, with a sentence for each, and a source")->excludes(name);
   add_file(*command, "-o,--output", request->output,
            "the surface file to write, needed with NAME; \"-\" is standard output");
   add_json(*command, request->json);
+  command->add_flag("--list", request->list, "print all names, with a sentence for each, and a source")
+      ->excludes(name)
+      ->excludes("--genus")
+      ->excludes("--output")
+      ->excludes("--json");
   command->footer(
       "Example:\n  epsnet surface named klein -o klein.json\n  epsnet surface named wiman-7 -o wiman.json\n"
       "  epsnet surface named R4.2 -o bring.json");

@@ -440,8 +440,6 @@ namespace {
 
 using NodePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-constexpr std::uint32_t kLargestGraphGenus = 100'000;
-
 void require_genus(std::uint32_t genus) {
   if (genus < 2 || genus > kLargestGraphGenus) {
     throw PantsGraphError("the genus must be at least 2 and at most " + std::to_string(kLargestGraphGenus) + ", not " +

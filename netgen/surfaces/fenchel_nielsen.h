@@ -47,6 +47,9 @@ class PantsGraphError : public Error {
   using Error::Error;
 };
 
+/// The largest genus of a pants graph.
+inline constexpr std::uint32_t kLargestGraphGenus = 100'000;
+
 /// A connected trivalent graph: 2g − 2 nodes, the pairs of pants, and 3g − 3 edges, the cuffs of a pants decomposition
 /// of a surface of genus g ≥ 2. Loops (a one-holed torus) and double edges are allowed. Immutable.
 class PantsGraph {

@@ -887,8 +887,8 @@ class Surface(Drawn, Immutable):
         return curves(self, words, threads, progress)
 
     def fills(self, curves: Iterable[Any]) -> bool:
-        """Whether closed curves fill the surface: whether all components of the complement of their closed geodesics are disks. Computed with 256
-        bits, where crossings lie along geodesics; ``curves`` proves it of those that do. LimitError for curves that are too long for that.
+        """Whether closed curves fill the surface: whether all components of the complement of their closed geodesics are disks. Decided by words
+        alone, exactly; no checker looks at it, ``curves`` proves it of those that do. LimitError for curves that are too long for that.
 
         >>> import epsnet
         >>> surface = epsnet.Surface.octagon(123)

@@ -6,6 +6,9 @@ data=$3
 . "$(dirname "$0")/program_functions.sh"
 
 good surface octagon --seed 123 -o s.json
+# Leading zeros do not make a number octal.
+good surface octagon --seed 0123 -o padded.json
+cmp -s s.json padded.json || complain '--seed 0123 is not --seed 123'
 good net s.json --epsilon 0.5 -o net.json
 good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
@@ -859,7 +862,7 @@ verified ends.json
 bad 64 'are one file' diameter s.json -o out/x.json --ends out/x.json
 
 # What is given is checked before a seed is asked for, and named as the option is.
-bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --genus 1 -o out/x.json
+bad 64 '--genus: expected an integer from 2 to 100000, not "1"' surface fenchel-nielsen --genus 1 -o out/x.json
 bad 64 '^epsnet: --lengths: expected 1 or 3' surface fenchel-nielsen --genus 2 --lengths 1,2 -o out/x.json
 bad 64 '^epsnet: --twists: expected 1 or 6' surface fenchel-nielsen --genus 3 --twists 1,2 -o out/x.json
 bad 64 '^epsnet: --lengths: expected a length such as 0.5, 2[*]arcosh(3/2)' surface fenchel-nielsen --genus 2 --lengths '2*arcosh(3' --twists 0 -o out/x.json
@@ -887,7 +890,7 @@ bad 64 '--seed' surface fenchel-nielsen --genus 2 --seed -2 -o out/x.json
 # A file is named by its members; what the command line says instead, by its options.
 echo '{"genus": 3}' >request.json
 bad 1 '^epsnet: request.json: seed: needed' surface fenchel-nielsen --from request.json -o out/x.json
-bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --from request.json --genus 1 -o out/x.json
+bad 64 '--genus: expected an integer from 2 to 100000, not "1"' surface fenchel-nielsen --from request.json --genus 1 -o out/x.json
 bad 64 '^epsnet: --lengths: expected 1 or 6' surface fenchel-nielsen --from request.json --lengths 1,2 -o out/x.json
 bad 1 '^epsnet: --base: the point is in tile 4, the surface has 1 tile$' net s.json --epsilon 0.5 --base 4 -o out/x.json
 

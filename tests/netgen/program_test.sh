@@ -232,8 +232,8 @@ bad 64 'seed' surface octagon -o out/s.json
 bad 64 '^epsnet: --sparse and --pseudo: a pseudo net cannot be sparse' net thin.json --epsilon 0.3 --sparse --pseudo -o out/net.json
 bad 64 'genus: needed' surface fenchel-nielsen --seed 1 -o out/s.json
 bad 64 'seed: needed' surface fenchel-nielsen --genus 2 -o out/s.json
-bad 64 'at least 2' surface fenchel-nielsen --genus 1 --seed 1 -o out/s.json
-bad 64 'at most' surface fenchel-nielsen --genus 4000000000 --seed 1 -o out/s.json
+bad 64 'from 2 to 100000, not "1"' surface fenchel-nielsen --genus 1 --seed 1 -o out/s.json
+bad 64 'from 2 to 100000, not "4000000000"' surface fenchel-nielsen --genus 4000000000 --seed 1 -o out/s.json
 bad 64 'node 0 has more than three' surface fenchel-nielsen --seed 1 --pants-graph '0-0 0-0 1-1' -o out/s.json
 bad 64 'not connected' surface fenchel-nielsen --seed 1 --pants-graph '0-1 0-1 0-1 2-3 2-3 2-3' -o out/s.json
 bad 64 'expected 1 or 3' surface fenchel-nielsen --seed 1 --genus 2 --lengths 1,2 -o out/s.json
@@ -291,7 +291,12 @@ bad 1 'not inside of the unit disk' net fn.json --epsilon 1 --base 0,1,0 -o out/
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
 bad 64 'expected one of domain, triangulation, off, vtu, gmsh, gmsh-glued, medit, mfem, edges, adjacency, face-adjacency, json, matrices, not "obj"' export fn.json --format obj -o out/e
 bad 64 '--genus: expected an integer from 2 to 1000, not "three"' surface regular --genus three
-bad 64 '--seed = three: not a whole number' surface octagon --seed three -o out/s.json
+bad 64 '--seed: expected an integer from -2147483648 to 2147483647, not "three"' surface octagon --seed three -o out/s.json
+bad 64 'to 18446744073709551615, not "18446744073709551616"' surface fenchel-nielsen --genus 2 --seed 18446744073709551616 -o out/s.json
+bad 64 'to 18446744073709551615, not "-1"' surface fenchel-nielsen --genus 2 --seed -1 -o out/s.json
+bad 64 'excludes' surface named --list --json
+bad 64 'not "1001"' surface dehn-twist bolza.json 0 1001 -o out/s.json
+bad 64 '--on needs PRODUCT' mapping-class bolza.json --on 0
 bad 1 'not inside of the unit disk' net bolza.json --epsilon 1 --base 0,1.1,0 -o out/n.json
 bad 1 'no-such' dirichlet no-such.json -o out/d.json
 bad 1 'no rational' export bolza.json --format domain -o out/x.txt
