@@ -41,6 +41,7 @@ struct EigenvaluesOptions {
 };
 
 /// Returns intervals with the first eigenvalues, from λ₁ on, or λ₀(χ) with phases, and what proves them. Deterministic.
+/// Functions that take more work than the checker allows are left out: then the intervals are those of two digits.
 ///
 /// Throws NetError if the net cannot be made or the eigenvalues are not found; NotCertifiedError, which is one, if the
 /// proof fails; LimitError if the surface is beyond the
@@ -51,7 +52,7 @@ struct EigenvaluesOptions {
 
 namespace unproved {
 
-/// The same document without its proof: nothing in it is proved.
+/// The document of which the checker is asked first, without its proof: nothing in it is proved.
 [[nodiscard]] certify::EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options = {});
 
 }  // namespace unproved

@@ -630,6 +630,15 @@ TEST(Eigenvalues, VeryNearZeroAreEnclosed) {
   }
 }
 
+/// Around so short a geodesic they are: then those of two digits are found.
+TEST(DeepEigenvalues, FunctionsThatAreTooMuchWorkForTheCheckerAreLeftOut) {
+  const Surface surface = with_cuff("0.001");
+  EXPECT_FALSE(unproved::eigenvalues(surface, {.count = 1}).eigenfunctions.empty());
+  const EigenvaluesDocument found = eigenvalues(surface, {.count = 1}).document;
+  EXPECT_TRUE(found.eigenfunctions.empty());
+  EXPECT_EQ(found, unproved::eigenvalues(surface, {.count = 1, .digits = 2}));
+}
+
 /// The regular map of type {3, 8} and genus 10 of which the rotations are AGL(2, 3), as permutations of the nine points
 /// of a plane: its first eigenvalue has the greatest multiplicity that is known here.
 TEST(Eigenvalues, OneOfSixteenIsFoundWithAllOthers) {
