@@ -56,12 +56,15 @@ namespace {
 
 /// Accepts digits only, where CLI11 also takes signs: -1 as an unsigned number is 2⁶⁴ − 1.
 CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
-  return {[=](const std::string& text) -> std::string {
+  return {[=](std::string& text) -> std::string {
             std::uint64_t value = 0;
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && stop == end && least <= value && value <= most) return "";
-            return in_quotes(text) + " is not an integer from " + std::to_string(least) + " to " + std::to_string(most);
+            if (error != std::errc() || stop != end || value < least || most < value)
+              return in_quotes(text) + " is not an integer from " + std::to_string(least) + " to " +
+                     std::to_string(most);
+            text = std::to_string(value);  // CLI11 would read 010 as 8.
+            return "";
           },
           ""};
 }
@@ -107,19 +110,19 @@ void add_options(CLI::App& app, Request& request) {
                    std::to_string(kTrianglesCheckedTwice) + " triangles and 4 MB");
   app.add_flag("--json", request.json, "print only one JSON object per file, on one line");
   app.add_option("--threads", request.options.threads, "number of threads, at most 1024; 0 is one per core")
-      ->check(integer_between(0, 1024))
+      ->transform(integer_between(0, 1024))
       ->option_text("N [0]");
   app.add_option("--max-precision", request.options.max_precision,
                  "bits after which a comparison is undecided, 64 to\n1048576")
-      ->check(integer_between(kLeastPrecision, kGreatestPrecision))
+      ->transform(integer_between(kLeastPrecision, kGreatestPrecision))
       ->option_text("N [8192]");
   app.add_option("--max-visits", request.options.max_visits,
                  "lifted triangles visited before a list of\ngeodesics is undecided, at least 1")
-      ->check(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [1000000000]");
   app.add_option("--max-work", request.options.max_work,
                  "units of work before the rest is undecided; 0\nchooses a limit by the size of the file")
-      ->check(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [0]");
   app.add_flag_callback(
       "--no-filter", [&request] { request.options.filter = false; },

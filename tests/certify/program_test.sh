@@ -93,6 +93,7 @@ expect 64 '' --max-precision 63 "$good"
 expect 64 '' --max-precision 1048577 "$good"
 expect 64 '' --max-visits 0 "$good"
 expect 0 VERIFIED --threads 1 --max-precision 64 --max-visits 18446744073709551615 "$good"
+expect 0 VERIFIED --threads 08 --max-precision 0064 "$good"
 
 says '--thread: no such option, did you mean --threads?' --thread 2 "$good"
 says '--max-precison: no such option, did you mean --max-precision?' --max-precison=100 "$good"
