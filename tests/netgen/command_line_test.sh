@@ -245,6 +245,7 @@ done
 bad 64 'are one file' dirichlet s.json -o out/x --svg ./out/x
 bad 64 'cannot both be standard output' net s.json --epsilon 0.5 -o - --svg /dev/stdout
 bad 64 'are one stream, which can be read only once' draw - --geodesics - -o out/x.svg </dev/null
+bad 64 'are one stream, which can be read only once' isometric - - <s.json
 same s.json saved.json
 same net.json saved-net.json
 # The report is an output as well.
