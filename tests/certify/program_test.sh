@@ -142,6 +142,10 @@ exact() {
 $code" ] || fail "certify-exact $3: not '$line' and $code"
 }
 exact 5 "NO CLAIM: $no_claim" "$surface"
+exact 0 "$("$certify" --version | sed 's/certify/certify-exact/')" --version
+# No text of a file is a line of output.
+printf '{"a\\nVERIFIED":1,"format":"epsnet-net","version":1}' >"$scratch/two-lines.json"
+exact 3 'MALFORMED: unknown member "a?VERIFIED"' "$scratch/two-lines.json"
 
 # So do other files that epsnet writes, by their beginnings; with another one they are broken.
 claims_nothing() {
