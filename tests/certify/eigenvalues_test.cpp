@@ -1321,17 +1321,32 @@ TEST_F(RoundingOfMatrices, OfOnePanel) {
   for (double x = 0x1.2p-24; x < 0x1.8p-24; x *= 1.005) compare(2, {{0, 0, x, 0}, {1, 0, 1, 0}, {1, 1, 1, 0}}, 5);
 }
 
-/// Columns of a path, of which each leaves something in the last row and is a panel of its own. A term of the last
-/// entry passes through two additions in each.
+/// Columns `first` to `last` of a path, of which each leaves something in the last row and is a panel of its own.
+Entries chain_of_panels(std::uint32_t first, std::uint32_t last) {
+  Entries entries{{last, first, 0.5, 0}};
+  for (std::uint32_t k = first; k < last; ++k) {
+    entries.push_back({k, k, k == first ? 1.0 : 2.0, 0});
+    if (k + 1 < last) entries.push_back({k + 1, k, -1, 0});
+  }
+  return entries;
+}
+
+/// A term of the last entry passes through two additions in each panel.
 TEST_F(RoundingOfMatrices, OfAChainOfPanels) {
-  for (std::uint32_t size = 3700; size < 4300; size += 25) {
-    const std::uint32_t last = size - 1;
-    Entries entries{{last, 0, 0.5, 0}};
-    for (std::uint32_t k = 0; k < last; ++k) {
-      entries.push_back({k, k, k == 0 ? 1.0 : 2.0, 0});
-      if (k + 1 < last) entries.push_back({k + 1, k, -1, 0});
+  for (std::uint32_t size = 3700; size < 4300; size += 25) compare(size, chain_of_panels(0, size - 1), 2.0 * size);
+}
+
+/// The panel of the last row has more children than the chain, before it; what the chain leaves is added first, and so
+/// passes through an addition for each of them as well.
+TEST_F(RoundingOfMatrices, OfAChainThatIsTheLastOfManyChildren) {
+  for (std::uint32_t children = 2400; children < 5200; children += 200) {
+    const std::uint32_t last = children + 3500;
+    Entries entries = chain_of_panels(children, last);
+    for (std::uint32_t k = 0; k < children; ++k) {
+      entries.push_back({k, k, 1, 0});
+      entries.push_back({last, k, 0, 0});
     }
-    compare(size, entries, 4 + 2.0 * (size - 2));
+    compare(last + 1, entries, children + 2.0 * 3501);
   }
 }
 
