@@ -148,18 +148,22 @@ const RadialGraph& graph_of(std::size_t number) {
   return graphs[number];
 }
 
-rc::Gen<std::size_t> any_surface() { return rc::gen::inRange<std::size_t>(0, surfaces().size()); }
+/// A number below another one, in the first cases as in the last: of small ones too many words are trivial, or powers.
+rc::Gen<std::size_t> any_below(std::size_t end) {
+  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, end));
+}
+
+rc::Gen<std::size_t> any_surface() { return any_below(surfaces().size()); }
 
 SideId any_side_of(const Surface& surface, TileId tile) {
-  return surface.side_number(
-      tile, *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(surface.tile(tile).size())));
+  return surface.side_number(tile, static_cast<std::uint32_t>(*any_below(surface.tile(tile).size())));
 }
 
 /// A closed path from a tile.
 Word any_loop(const Surface& surface, TileId start) {
   Word word;
   TileId tile = start;
-  for (std::uint32_t i = *rc::gen::inRange(0U, 12U); i > 0; --i) {
+  for (std::size_t i = *any_below(12); i > 0; --i) {
     word.push_back(any_side_of(surface, tile));
     tile = surface.tile_of_side(surface.partner(word.back()));
   }
