@@ -76,6 +76,7 @@ class Interval(Immutable):
     """
 
     __slots__ = ("_lower", "_upper", "_proved")
+    __sympy__ = False  # Rational + Interval is left to this class: since SymPy 1.13 it would ask for a float instead.
 
     def __init__(self, lower: Number, upper: Number, *, proved: bool = False) -> None:
         self._lower = exact(lower, "lower")
