@@ -37,7 +37,7 @@ class RadialGraph {
   [[nodiscard]] Walk rightmost(Walk walk);
   /// Where a walk and another one cross as few times as possible: two rightmost walks of primitive classes that are
   /// neither the same nor inverse to each other; or a walk and itself, `same`, with each crossing twice.
-  [[nodiscard]] WalkCrossings crossings(const Walk& first, const Walk& other, bool same);
+  [[nodiscard]] WalkCrossings crossings(const Walk& a, const Walk& b, bool same);
   /// Whether walks, joined at steps of two of them, can be deformed to any closed walk: they are joined so that they
   /// are connected, and every closed walk is homotopic to one that runs along them.
   struct Joint {

@@ -25,7 +25,7 @@ class Inertia {
 
   /// By triangle, the rows of its three functions, in the order of elimination. Throws LeftOut if one factorisation
   /// takes more than so many multiplications.
-  Inertia(std::vector<Rows> rows, std::size_t size, std::size_t most_operations, Values values = Values::real);
+  Inertia(std::vector<Rows> rows, std::size_t functions, std::size_t most_operations, Values values = Values::real);
 
   void add(std::size_t triangle, const LocalForms& forms);
 

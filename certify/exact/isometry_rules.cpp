@@ -190,12 +190,12 @@ auto at_most(const std::vector<mpq_class>& ends, const mpq_class& length) {
   return std::upper_bound(ends.begin(), ends.end(), length) - ends.begin();
 }
 
-/// Whether the first surface certainly has more closed geodesics up to some length.
-bool has_more(const GeodesicsDocument& first, const GeodesicsDocument& other) {
-  const std::vector<mpq_class> certain = ends(first, 1);
-  const std::vector<mpq_class> possible = ends(other, 0);
+/// Whether a surface certainly has more closed geodesics up to some length than another one.
+bool has_more(const GeodesicsDocument& a, const GeodesicsDocument& b) {
+  const std::vector<mpq_class> certain = ends(a, 1);
+  const std::vector<mpq_class> possible = ends(b, 0);
   return std::any_of(certain.begin(), certain.end(), [&](const mpq_class& length) {
-    return length <= other.up_to && at_most(certain, length) > at_most(possible, length);
+    return length <= b.up_to && at_most(certain, length) > at_most(possible, length);
   });
 }
 

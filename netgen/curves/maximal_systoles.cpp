@@ -18,10 +18,6 @@ namespace {
 
 using certify::GeodesicsDocument;
 using certify::Interval;
-using certify::operator+;
-using certify::operator-;
-using certify::operator*;
-using certify::operator/;
 
 double middle_of(const Interval& x) { return x.lower + (x.upper - x.lower) / 2; }
 
@@ -386,7 +382,7 @@ SystoleMaximum maximize_systole(const Surface& start, const MaximizeOptions& opt
     top = second.climb(middles(pants));
     of_pants.own = true;
   }
-  SystoleMaximum result{std::move(top.surface), {top.coordinates.graph, {}}, {}, {}, {}, steps};
+  SystoleMaximum result{top.surface, {top.coordinates.graph, {}}, {}, {}, {}, steps};
   result.coordinates = coordinates_near(pants_decomposition(result.surface, of_pants), top.coordinates);
   GeodesicsOptions geodesics;
   geodesics.threads = options.threads;

@@ -327,11 +327,11 @@ class RadialGraph::Together {
 std::vector<WalkCrossing> RadialGraph::all_crossings(const ClosedWalk& first, const ClosedWalk& second,
                                                      bool same) const {
   // Whether an edge of the second lift at a vertex is on the left of the first one there.
-  const auto is_left = [&](std::size_t vertex, std::uint32_t edge) {
+  const auto is_left = [&](std::size_t vertex, std::uint32_t other) {
     const bool centre = is_even(vertex);
     const std::uint32_t out = first[vertex];
     const std::uint32_t in = first[(vertex + first.size() - 1) % first.size()];
-    return turn(out, !centre, edge) < turn(out, !centre, in);
+    return turn(out, !centre, other) < turn(out, !centre, in);
   };
   std::vector<WalkCrossing> result;
   for (std::size_t i = 0; i < first.size(); ++i) {

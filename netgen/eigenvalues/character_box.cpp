@@ -29,7 +29,7 @@ constexpr double kRoomOfDistances = 1 + 1e-9;
 std::vector<std::int64_t> steps_of(const Surface& surface, std::size_t direction) {
   // More than twice any of them: what flows along an edge comes from one cycle.
   constexpr std::int64_t kParts = 1 << 20;
-  std::vector<Rational> turns(2 * surface.genus(), Rational(0));
+  std::vector<Rational> turns(std::size_t{2} * surface.genus(), Rational(0));
   turns[direction] = Rational(1, kParts);
   std::vector<std::int64_t> result;
   for (const Rational& phase : phases_of_sides(surface, turns))
@@ -144,7 +144,7 @@ CharacterDirections::CharacterDirections(const Surface& surface, const NetGeomet
   const std::vector<FlatTriangle> triangles = Elements(geometry, 0).triangles();
   const LeastEnergy energy(net, triangles);
   std::vector<std::vector<Heights>> at_corners(triangles.size());
-  for (std::size_t k = 0; k < 2 * surface.genus(); ++k) {
+  for (std::size_t k = 0; k < std::size_t{2} * surface.genus(); ++k) {
     std::vector<std::int64_t> steps = steps_of(surface, k);
     const std::vector<double> of_darts = steps_at_corners(net, steps);
     std::vector<double> heights = energy.heights(of_darts);
@@ -283,7 +283,7 @@ std::size_t gap_outside(const Surface& surface, const Rational& radius, double b
   const NetGeometry geometry(net);
   const CubeProofs proofs(surface, geometry, bound);
   // λ₀ is the same at the inverse character: half of the torus is enough.
-  std::vector<Cube> open = halves({TorusPoint(2 * surface.genus(), Rational(0)), Rational(1, 2)});
+  std::vector<Cube> open = halves({TorusPoint(std::size_t{2} * surface.genus(), Rational(0)), Rational(1, 2)});
   std::erase_if(open, [](const Cube& cube) { return cube.centre.front() < 0; });
   const unsigned threads = certify::thread_count(options.threads);
   std::mutex mutex;

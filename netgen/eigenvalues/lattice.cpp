@@ -22,7 +22,7 @@ std::complex<double> on_unit_circle(const Rational& turns) {
   if (denominator(quarters) == 1) {
     // From −1 to 2, as turns are in (−1/2, 1/2].
     constexpr std::array<std::complex<double>, 4> kUnits{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
-    return kUnits.at(static_cast<std::size_t>(static_cast<int>(quarters) + 1));
+    return kUnits.at(static_cast<std::size_t>(Rational(quarters + 1)));
   }
   const Mp256 angle = boost::math::constants::two_pi<Mp256>() * Mp256(turns);
   return {static_cast<double>(Mp256(cos(angle))), static_cast<double>(Mp256(sin(angle)))};

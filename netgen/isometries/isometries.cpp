@@ -539,10 +539,10 @@ std::vector<NamedAnswer> identify(const Surface& surface, const IsometryOptions&
     if (options.progress) {
       options.progress("comparing systoles", static_cast<double>(i) / static_cast<double>(known.size()));
     }
-    Surface named = named_surface(known[i].front());
+    const Surface named = named_surface(known[i].front());
     certify::GeodesicsDocument list = unproved::spectrum(named, length, of_geodesics);
     const bool differs = certain_difference(systoles, list).has_value();
-    (differs ? others : similar).push_back({known[i], std::move(named), std::move(list)});
+    (differs ? others : similar).push_back({known[i], named, std::move(list)});
   }
   if (similar.size() > 1) {
     const std::size_t order = isometries(surface, options).size();

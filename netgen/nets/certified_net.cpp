@@ -73,7 +73,8 @@ VariantNet compute_variant(const Surface& surface, const Length& epsilon, const 
 
 UncertifiedNet compute_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
   VariantNet net = compute_variant(surface, epsilon, {}, options);
-  return {std::move(net.document), net.statistics};
+  const NetStatistics& statistics = net.statistics;
+  return {std::move(net.document), statistics};
 }
 
 CertifiedNet certified_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {

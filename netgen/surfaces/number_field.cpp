@@ -280,7 +280,7 @@ class NumberFieldParser : public ArithmeticParser<RationalPolynomial> {
   }
 
   RationalPolynomial root_of_number(std::size_t first) {
-    const RationalPolynomial square = sum_of_products();
+    RationalPolynomial square = sum_of_products();
     expect(")");
     if (is_zero(square)) return square;
     const certify::Ball value = reader_.value(square);

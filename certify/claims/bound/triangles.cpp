@@ -85,7 +85,7 @@ bool Elements::are_equal(const BallIsometry& f, const BallIsometry& g) const {
   return certainly_less(displacement(element_of(quotient, precision_), point_, precision_), shortest_loop_) == Tri::yes;
 }
 
-BallIsometry Elements::enclosed_along_edges(BallIsometry g) const {
+BallIsometry Elements::enclosed_along_edges(const BallIsometry& g) const {
   const auto away = [&](const BallVector& p, const BallVector& q) {
     return fast_interval(-lorentz_product(p, q, precision_)).upper;
   };
@@ -140,7 +140,7 @@ Elements::Id Elements::add(BallIsometry g) {
   all_told_ = all_told_ && !std::isnan(number);
   // Few bits lost are left to the products to come.
   const bool is_precise = arb_rel_accuracy_bits(g.a.re()) >= precision_ - precision_ / 4;
-  elements_.push_back(element_of(is_precise ? std::move(g) : enclosed_along_edges(std::move(g)), precision_));
+  elements_.push_back(element_of(is_precise ? std::move(g) : enclosed_along_edges(g), precision_));
   return 2 * known + (inverted ? 1 : 0);
 }
 

@@ -77,7 +77,7 @@ class Elements {
   [[nodiscard]] bool are_equal(const BallIsometry& f, const BallIsometry& g) const;
   /// The product of steps to an element, each to the end that is nearest to the image of the point; g itself if balls
   /// do not tell that they lead there.
-  [[nodiscard]] BallIsometry enclosed_along_edges(BallIsometry g) const;
+  [[nodiscard]] BallIsometry enclosed_along_edges(const BallIsometry& g) const;
 
   BallVector point_;
   Ball shortest_loop_;

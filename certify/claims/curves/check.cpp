@@ -374,7 +374,7 @@ class CurvesCheck {
       const mpz_class times = exponent * other_exponent;
       // Of one geodesic with itself: twice the number of its double points, as of two parallel curves.
       const mpz_class points = integer(numbers.points[root][other]);
-      const mpz_class signs = integer(direction * other_direction * numbers.signs[root][other]);
+      const mpz_class signs = integer(std::int64_t{direction} * other_direction * numbers.signs[root][other]);
       const std::string names = " of " + curve_name(pair.first) + " and " + curve_name(pair.second);
       if (differs("the geometric intersection number" + names, times * points, integer(pair.intersections)) ||
           differs("the algebraic intersection number" + names, times * signs, integer(pair.algebraic)))

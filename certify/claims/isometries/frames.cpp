@@ -436,17 +436,17 @@ std::uint64_t followed_frames(const LiftedPlane& plane, const CrossingGeodesics&
 
 namespace {
 
-/// Whether, for one crossing point of the first surface, no frame of the other one is left.
-bool leaves_no_frame(const LiftedPlane& plane, const CrossingGeodesics& first, const CrossingGeodesics& other) {
+/// Whether, for one crossing point of a surface, no frame of another one is left.
+bool leaves_no_frame(const LiftedPlane& plane, const CrossingGeodesics& a, const CrossingGeodesics& b) {
   // As one list: frames of the first surface are compared with those of the other one alone.
-  const std::size_t size = first.points.size();
-  CrossingGeodesics both = first;
-  both.lengths.insert(both.lengths.end(), other.lengths.begin(), other.lengths.end());
-  for (std::vector<CrossingPoint> points : other.points) {
+  const std::size_t size = a.points.size();
+  CrossingGeodesics both = a;
+  both.lengths.insert(both.lengths.end(), b.lengths.begin(), b.lengths.end());
+  for (std::vector<CrossingPoint> points : b.points) {
     for (CrossingPoint& x : points) x.other += static_cast<std::uint32_t>(size);
     both.points.push_back(std::move(points));
   }
-  const auto starts = representatives(plane, first);
+  const auto starts = representatives(plane, a);
   return std::any_of(starts.begin(), starts.end(), [&](std::size_t geodesic) {
     return followed_from(plane, both, {geodesic, 0}, 0, size) == 0;
   });
