@@ -474,6 +474,7 @@ std::vector<BasePoint> fixed_points(const Surface& surface, const std::vector<Wo
     if (!is_known) found.push_back(*centre);
   }
   std::vector<BasePoint> points;
+  points.reserve(found.size());
   for (const DiskPoint& z : found)
     points.push_back(rounded_point(surface, frame.tile(), inverse(frame.from_tile())(z)));
   return points;

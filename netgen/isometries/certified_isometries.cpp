@@ -102,6 +102,7 @@ std::vector<std::uint32_t> random_cocycle(const Surface& surface) {
 
 std::vector<std::vector<std::uint32_t>> letters_of_all(const std::vector<Word>& words) {
   std::vector<std::vector<std::uint32_t>> result;
+  result.reserve(words.size());
   for (const Word& word : words) result.push_back(letters_of(word));
   return result;
 }
@@ -111,6 +112,7 @@ std::vector<std::vector<std::uint32_t>> letters_of_all(const std::vector<Word>& 
 std::vector<std::vector<std::uint32_t>> images_of(const Surface& surface, const Substitution& image_of,
                                                   const std::vector<Word>& pair, const SurfaceIsometry& f) {
   std::vector<Word> result;
+  result.reserve(pair.size() + surface.side_count() / 2);
   for (const Word& word : pair) result.push_back(image_of(word, f.images));
   for (const SideId s : surface.side_ids()) {
     if (s < surface.partner(s)) result.push_back(image_of({s}, f.images));

@@ -122,6 +122,7 @@ class ElementTexts {
     }
     return texts(RationalElements::normal_of(surface_, word), [](const std::vector<mpz_class>& x) {
       std::vector<std::string> result;
+      result.reserve(x.size());
       for (const mpz_class& number : x) result.push_back(number.get_str());
       return result;
     });

@@ -86,6 +86,7 @@ bool search(const Surface& first, const Surface& second, const std::vector<certi
 /// do not satisfy the relations.
 std::optional<double> difference_of(const Source& source, const LiftedTiles& tiles, const std::vector<Word>& images) {
   std::vector<Isometry<Number>> there;
+  there.reserve(images.size());
   for (const Word& word : images) there.push_back(normalized(tiles.value(word)));
   const FundamentalPolygon polygon = fundamental_polygon(source.tiles().surface());
   std::vector<Isometry<Number>> by_side(polygon.sides.size());
@@ -483,6 +484,7 @@ std::optional<std::string_view> surface_of_regular_map(const Surface& surface) {
 NamedAnswer isometric_to_any(const Surface& surface, const std::vector<std::string>& names,
                              const IsometryOptions& options) {
   std::vector<std::pair<std::string, Surface>> maps;
+  maps.reserve(names.size());
   for (const std::string& name : names) maps.emplace_back(name, named_surface(name));
   std::stable_partition(maps.begin(), maps.end(),
                         [&](const auto& map) { return map.second.regular_tile() == surface.regular_tile(); });

@@ -684,6 +684,7 @@ MatrixSurface surface_near(const MatrixGenerators& matrices, const std::vector<E
       return Maker<RationalGroups>(matrices, generators, RationalGroups(), false).make();
     }
     std::vector<Numeric> targets;
+    targets.reserve(generators.size());
     for (const ExactIsometry& f : generators) targets.push_back(numeric(f));
     std::vector<ExactIsometry> solution;
     for (const Numeric& f : moved_to_relation(targets, matrices.relation)) {

@@ -174,6 +174,7 @@ class ComparisonCheck {
     const auto sign = crossing_sign(crossings, pair[0], pair[1], run_.budget());
     if (sign == 0) return {kIsometric, Verdict::refuted, "the axes of the pair do not cross"};
     std::vector<ElementPair> pairs;
+    pairs.reserve(images.size());
     for (const auto& word : pair) pairs.push_back({word, images[pairs.size()]});
     for (auto& word : generator_words(SurfaceSides(document_.net.surface), paths, run_.budget())) {
       pairs.push_back({std::move(word), images[pairs.size()]});

@@ -488,6 +488,7 @@ class EigenvaluesCheck {
   [[nodiscard]] static std::vector<std::array<Value, 3>> opposite_to_corners(
       const std::vector<std::array<Value, 3>>& of_sides) {
     std::vector<std::array<Value, 3>> result;
+    result.reserve(of_sides.size());
     for (const auto& [first, second, third] : of_sides) result.push_back({second, third, first});
     return result;
   }
